@@ -15,18 +15,36 @@ namespace {
 
 constexpr double largest_elastic_share = 1e-3;  // of the compliance, what may be left out
 
+std::vector<const Material*> relaxing_bodies(const Case& c) {
+    std::vector<const Material*> bodies;
+    if (substrate_relaxes(c)) bodies.push_back(&c.substrate);
+    if (indenter_relaxes(c)) bodies.push_back(&*c.indenter.material);
+    return bodies;
+}
+
 bool bulk_stays(const Case& c) {
-    return c.relaxation->bulk == Relaxation::Bulk::elastic && c.substrate.poisson < 0.5;
+    return c.relaxation->bulk == Relaxation::Bulk::elastic &&
+           std::ranges::any_of(relaxing_bodies(c),
+                               [](const Material* body) { return body->poisson < .5; });
+}
+
+bool matters_beside(const Material& body, const Material& relaxing) {
+    return body.plane_compliance() > largest_elastic_share * relaxing.plane_compliance();
 }
 
 bool below_stays(const Case& c) {
-    auto matters = [&](const Material& body) {
-        return body.plane_compliance() > largest_elastic_share * c.substrate.plane_compliance();
+    const auto matters = [&](const Material& body) {
+        return matters_beside(body, relaxing_material(c));
     };
     const auto& lower = c.layer.lower;
     return (c.layer.ground && matters(*c.layer.ground)) ||
            std::any_of(lower.begin(), lower.end(),
                        [&](const auto& layer) { return matters(layer.material); });
+}
+
+bool substrate_stays(const Case& c) {
+    return !substrate_relaxes(c) && !c.has_rigid_substrate &&
+           matters_beside(c.substrate, *c.indenter.material);
 }
 
 double indenter_share(const Case& c) {
@@ -40,9 +58,14 @@ double indenter_share(const Case& c) {
 std::vector<double> known_poles(const Case& c, bool is_half_space) {
     if (!is_half_space) return {};
     std::vector<double> poles{0};
-    const double nu = c.substrate.poisson;
-    if (bulk_stays(c)) poles.push_back(2 * (1 + nu) / (1 - 2 * nu));  // 3 K/G
-    if (c.indenter.material || c.interface.is_elastic()) poles.push_back(infinity);
+    if (bulk_stays(c))
+        for (const Material* body : relaxing_bodies(c)) {
+            const double nu = body->poisson, pole = 2 * (1 + nu) / (1 - 2 * nu);  // 3 K/G
+            if (nu < .5 && std::ranges::find(poles, pole) == poles.end()) poles.push_back(pole);
+        }
+    const bool one_is_elastic =
+        substrate_relaxes(c) ? c.indenter.material && !indenter_relaxes(c) : !c.has_rigid_substrate;
+    if (one_is_elastic || c.interface.is_elastic()) poles.push_back(infinity);
     return poles;
 }
 
@@ -147,11 +170,36 @@ std::unique_ptr<const Interior> RelaxingSubstrate::interior(const SurfaceField& 
     return inside;
 }
 
+bool substrate_relaxes(const Case& c) {
+    return c.relaxation && c.relaxation->body != Relaxation::Body::indenter;
+}
+
+bool indenter_relaxes(const Case& c) {
+    return c.relaxation && c.relaxation->body != Relaxation::Body::substrate;
+}
+
+const Material& relaxing_material(const Case& c) {
+    return c.relaxation && !substrate_relaxes(c) ? *c.indenter.material : c.substrate;
+}
+
+const char* relaxing_word(const Case& c) {
+    if (!indenter_relaxes(c)) return "substrate";
+    return substrate_relaxes(c) ? "pair of bodies" : "indenter";
+}
+
+void require_elastic_indenter(const Case& c, const std::string& what) {
+    if (indenter_relaxes(c))
+        throw InputError("substrate.relaxation.body: " + what +
+                         " know no indenter that relaxes; take body = \"substrate\"");
+}
+
 Unrelaxed what_stays(const Case& c) {
     if (!c.relaxation) return Unrelaxed::nothing;
     if (bulk_stays(c)) return Unrelaxed::bulk;
+    if (substrate_stays(c)) return Unrelaxed::substrate;
     if (below_stays(c)) return Unrelaxed::below;
     if (c.interface.is_elastic()) return Unrelaxed::interface;
+    if (indenter_relaxes(c)) return Unrelaxed::nothing;
     return indenter_share(c) > largest_elastic_share ? Unrelaxed::indenter : Unrelaxed::nothing;
 }
 
@@ -180,6 +228,12 @@ std::optional<Relaxation> common_relaxation(const std::string& model, const Case
             "substrate.relaxation: {} has one relaxation function, which the springs of "
             "an [interface] do not share; take another model",
             model));
+    if (stays == Unrelaxed::substrate)
+        throw InputError(fmt::format(
+            "substrate.relaxation.body: {} has one relaxation function, which a substrate that "
+            "does not relax beside its indenter does not leave; take another model, or "
+            "substrate.rigid = true",
+            model));
     const double share = indenter_share(c);
     throw InputError(fmt::format(
         "substrate.relaxation: {:.3g} of the compliance is the indenter's, which does not relax, "
@@ -191,10 +245,15 @@ std::optional<Relaxation> common_relaxation(const std::string& model, const Case
 Case with_relaxing_ratio(const Case& c, double ratio) {
     Case elastic = c;
     elastic.relaxation.reset();
-    if (c.relaxation->bulk == Relaxation::Bulk::proportional)
-        elastic.substrate.young *= ratio;
-    else
-        elastic.substrate = c.substrate.with_shear_ratio(ratio);
+    const bool proportional = c.relaxation->bulk == Relaxation::Bulk::proportional;
+    const auto stiffen = [&](Material& body) {
+        if (proportional)
+            body.young *= ratio;
+        else
+            body = body.with_shear_ratio(ratio);
+    };
+    if (substrate_relaxes(c)) stiffen(elastic.substrate);
+    if (indenter_relaxes(c)) stiffen(*elastic.indenter.material);
     return elastic;
 }
 

@@ -59,11 +59,21 @@ class RelaxingSubstrate final : public Substrate {
     SurfaceField offset_;
 };
 
+/// Which of both bodies relax. The indenter that does has a material.
+bool substrate_relaxes(const Case& c);
+bool indenter_relaxes(const Case& c);
+/// Whose modulus the terms of the relaxation are over: the substrate's where both relax.
+const Material& relaxing_material(const Case& c);
+/// "substrate", "indenter" or "pair of bodies", for sentences about what relaxes.
+const char* relaxing_word(const Case& c);
+/// Throws InputError, `what` in the plural its subject, where the indenter relaxes.
+void require_elastic_indenter(const Case& c, const std::string& what);
+
 /// What stays elastic in a case whose substrate relaxes, the top layer: its finite bulk modulus
 /// below nu = 1/2; layers or a half-space below whose plane-strain compliance (1 - nu^2)/E is more
 /// than 1e-3 of its own; an indenter with more than 1e-3 of the compliance; the springs of an
-/// elastic interface.
-enum class Unrelaxed { nothing, bulk, below, indenter, interface };
+/// elastic interface. Where the indenter relaxes, a substrate likewise.
+enum class Unrelaxed { nothing, bulk, below, indenter, interface, substrate };
 Unrelaxed what_stays(const Case& c);
 
 /// The relaxation multiplies all the stiffness, or nothing relaxes.

@@ -9,6 +9,7 @@
 #include "contact/case.h"
 #include "contact/friction/friction_law.h"
 #include "contact/model.h"
+#include "contact/solvers/pull_off.h"
 #include "contact/solvers/staggered_solver.h"
 #include "contact/wearing_contact.h"
 
@@ -101,6 +102,7 @@ class SurfaceModel final : public Model, public Wearable {
     }
     StepRecord record(const LoadStep& step) const;
     double twice_the_pull() const;
+    std::optional<LettingGo> let_go() const;
     void audit_attracted(const LoadStep& step);
     void audit_step(const LoadStep& step, bool advected);
     EnergyBalance update_energy();

@@ -8,13 +8,15 @@
 #include "contact/base/state_bytes.h"
 #include "contact/mirrored_surface.h"
 #include "contact/solvers/contact_region.h"
-#include "contact/solvers/pull_off.h"
 #include "contact/surface.h"
 #include "contact/surface_model.h"
 
 namespace tricontact::contact {
 
 namespace {
+
+/// The largest tension changes by a third of a residual of displacements.
+constexpr double pull_off_tolerance = 1e-5;
 
 /// The first of the points at the least distance.
 struct Nearest {
@@ -81,13 +83,25 @@ std::optional<PullOff> SurfaceModel::pull_off() const {
     if (!attracted_ || hardest_ == not_pressed || points().periodic) return {};
     std::optional<LettingGo> found;
     try {
-        found = contact::pull_off(*solver_->adhesive(), points(), solver_->coupling().bare_height(),
-                                  hardest_);
+        found = let_go();
     } catch (const InputError&) {  // it does not hold without a force that presses
     } catch (const NotConverged&) {
     }
     if (!found) return {};
     return PullOff{found->force, found->radius, found->indentation, found->last_indentation};
+}
+
+std::optional<LettingGo> SurfaceModel::let_go() const {
+    const auto solver = [&](double zone) {
+        return AdhesiveNormal(name_, substrate_->compliance(),
+                              attraction_on(points(), attracted_->law, attracted_->modulus, zone),
+                              std::max(tolerance_, pull_off_tolerance));
+    };
+    const std::vector<double>& height = solver_->coupling().bare_height();
+    if (!solver_->adhesive()->attraction().is_short_ranged)
+        return contact::pull_off(solver(points_without_range), points(), height, hardest_);
+    return pull_off_without_range(solver(narrow_zone), solver(wide_zone), points(), height,
+                                  hardest_);
 }
 
 Surface SurfaceModel::surface() const {

@@ -28,6 +28,7 @@ ChangingFriction friction_by_rate(const contact::ContactPoints& grid,
                                   const contact::FrictionRate& rate, double at_rest, double speed) {
     const double time = grid.spacing[0] / speed;  // over a cell
     const auto left_of_cell = [&rate, at_rest, time](double v, double ahead) {
+        if (v == 0 && ahead == 1) return 1.;  // most cells
         const double kept = rate.memory(time, v);
         return kept * ahead + (1 - kept) * rate.coefficient(at_rest, v) / at_rest;
     };
@@ -101,11 +102,15 @@ ChangingFriction friction_by_temperature(const contact::ContactPoints& grid,
 
 namespace {
 
-// Of the last change of mu, how exactly the state under it is solved for the next one; and from
-// which change on, over all that mu may lose, Newton's method is tried, with how many steps.
+// Of the last change of mu, how exactly the state under it is solved for the next one, and while
+// changes are a good part of all that mu may lose; and from which of them on Newton's method is
+// tried, with how many steps.
 constexpr double of_change = .3;
+constexpr double first_asked = .1, far_off = .3;
 constexpr double close_by = .06;
 constexpr int newton_steps = 8;
+// Those next to a point that lets go let go as well.
+constexpr double with_its_neighbours = 1.15;
 constexpr int steps_before_another_try = 6;
 
 /// The search for a state, field of mu after field of mu.
@@ -126,19 +131,21 @@ class Search {
         for (const double one : problem.bound)
             if (one > 0) bound += one, ++n;
         const double local = compliance.local_tangential() / compliance.points().spacing[0];
+        if (friction.slopes) alone_ = with_its_neighbours * slip_alone();
         if (n > 0) steepness_ = std::max(1., friction.steepest * local * bound / n);
     }
 
     double run() {
-        const auto [least, most] = std::minmax({1., friction_.in_the_end});
+        const auto [lowest, highest] = std::minmax({1., friction_.in_the_end});
         contact::OneSidedFixedPoint iteration;
         int n_tries = 0, next_try = 0;
         // Change. From another state's tractions the first iterate shall not stay where they are.
         double before = other_ ? .1 : 1;
         for (int k = 0; k < contact::OneSidedFixedPoint::max_iterations; ++k) {
-            const double asked = std::max(tolerance_, of_change / steepness_ * before);
+            const double least = before > far_off * range_ ? first_asked : tolerance_;
+            const double asked = std::max(least, of_change / steepness_ * before);
             solve(asked, k == 0);
-            std::vector<double> next = friction_.left(told());
+            const std::vector<double> next = friction_next();
             const double change = largest_change(next);
             if (change <= tolerance_ && asked == tolerance_) return change;
             const bool contracts = change < before && change < close_by * range_;
@@ -151,7 +158,7 @@ class Search {
             }
             before = change;
             left_ = iteration.next(left_, next, change);
-            for (double& one : left_) one = std::clamp(one, least, most);
+            for (double& one : left_) one = std::clamp(one, lowest, highest);
         }
         throw contact::NotConverged(fmt::format(
             "steady rolling: after {} iterations friction still follows the slip from one "
@@ -192,6 +199,38 @@ class Search {
         return told;
     }
 
+    /// Slip over traction of a point by itself [1/Pa]: what its own traction slides it by.
+    double slip_alone() const {
+        const contact::ContactPoints& points = compliance_.points();
+        const std::size_t middle = points.size() / 2;
+        contact::TangentialField t(points.size()), u(points.size());
+        t.set(middle, {1, 1});
+        compliance_.tangential(t, u);
+        const contact::Vector2 here = u.at(middle), ahead = u.at(middle + 1);
+        return std::min(here[0] - ahead[0], here[1] - ahead[1]) / points.spacing[0];
+    }
+
+    /// What the slip of this state leaves of friction, each point with the slip that it adds to its
+    /// own as it lets go, by itself: on the same side as without, in a fraction of the iterates.
+    std::vector<double> friction_next() const {
+        constexpr int times = 6;
+        SteadySolution here = told();
+        const contact::TangentialField slip = here.slip;
+        std::vector<double> next = friction_.left(here);
+        if (!friction_.slopes) return next;
+        for (int k = 0; k < times; ++k) {
+            for (std::size_t i = 0; i < next.size(); ++i) {
+                const double length = contact::norm(slip.at(i));
+                if (!(length > 0)) continue;
+                const double added = alone_ * problem_.bound[i] * (left_[i] - next[i]);
+                const double share = std::max(0., 1 + added / length);
+                here.slip.set(i, {share * slip.x[i], share * slip.y[i]});
+            }
+            next = friction_.left(here);
+        }
+        return next;
+    }
+
     double largest_change(const std::vector<double>& next) const {
         double change = 0;
         for (std::size_t i = 0; i < next.size(); ++i)
@@ -219,7 +258,8 @@ class Search {
         double along = 0;
         for (std::size_t i = 0; i < left.size(); ++i)
             along += problem_.bound[i] * (left[i] - left_[i]) * (next[i] - left_[i]);
-        if (!(along > 0) || largest_change(left) > 2 * change / (1 - factor)) return {};
+        const double unknown = of_change * change / factor;  // by the tolerance of the state
+        if (!(along > 0) || largest_change(left) > 2 * (change + unknown) / (1 - factor)) return {};
         found.iterations += solution_.iterations;
         solution_ = std::move(found);
         left_ = left;
@@ -234,6 +274,7 @@ class Search {
     std::vector<double>& left_;
     const SteadySolution* const other_;
     const double range_;    // of what is left
+    double alone_ = 0;      // see slip_alone
     double steepness_ = 1;  // change of mu over the residual of the state that it follows [-]
 };
 

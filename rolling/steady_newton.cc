@@ -27,6 +27,8 @@ using contact::operator+, contact::operator-, contact::operator*, contact::opera
 using contact::TangentialField;
 using contact::Vector2;
 
+constexpr double much_grown = 4;  // a residual
+
 std::vector<std::size_t> points_in_contact(const std::vector<double>& bound) {
     std::vector<std::size_t> active;
     for (std::size_t i = 0; i < bound.size(); ++i)
@@ -66,12 +68,16 @@ SteadyNewton::SteadyNewton(const contact::Compliance& compliance, const SteadyPr
 void SteadyNewton::run(int most_steps) {
     start();
     if (active_.empty()) return;
+    double first = 0;
     for (int step = 0; step < most_steps; ++step) {
         update_slip();
         classify();
         update_slip();
         update_residual();
         if (is_solved()) return;
+        // Beyond the reach of the slopes: on a state's own side the residual may grow once.
+        if (step == 0) first = solution_.residual;
+        if (following_ && !(solution_.residual <= much_grown * first)) break;
         move(solve_linear_system(step < careful_steps ? .5 : 10));
     }
     throw contact::NotConverged(fmt::format(

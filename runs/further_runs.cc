@@ -15,6 +15,7 @@
 #include "contact/base/stopped.h"
 #include "contact/models/model_kind.h"
 #include "contact/own_limit.h"
+#include "contact/relaxing_case.h"
 #include "runs/normal_stiffness.h"
 
 namespace tricontact::runs {
@@ -167,7 +168,8 @@ RunValues run_once(const Case& c, const std::string& model, const contact::Model
 
 void run_twin(const Case& c, const contact::ModelRunner& runner, const Say& say,
               TwinComparison& comparison) {
-    say(fmt::format("{}: once more on the relaxed, elastic substrate", comparison.model));
+    say(fmt::format("{}: once more with the relaxed, elastic {}", comparison.model,
+                    contact::relaxing_word(c)));
     comparison.why_none = contact::why_it_stopped([&] {
         comparison.other = run_once(comparisons::elastic_twin(c), comparison.model, runner);
     });

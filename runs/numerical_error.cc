@@ -96,6 +96,8 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
                          .coarser = {},
                          .coarsest = {},
                          .tolerance = makers.solver_tolerance(name, c),
+                         .is_slow = c.adhesion && c.adhesion->is_short_ranged() &&
+                                    !contact::model_kind(name).is_on_line(),
                          .prescribed = comparisons::prescribed_quantities(c)};
     const Case loaded = contact::loaded_as(c, history);
     say(fmt::format("{}: once more on coarser meshes and with other steps", name));

@@ -1,7 +1,8 @@
 // Normal contact of rough surfaces, periodic ones and balls: iterations with and without coarser
 // grids, time over that of all convolutions, the peak memory of the process (run one problem at a
 // time: --benchmark_filter=cells:4096/per_wave:64/free:0), and the area-load relation of the
-// contact-mechanics challenge without its adhesion.
+// contact-mechanics challenge without its adhesion;
+// contacts of surfaces that attract each other, to 1e-5.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
@@ -14,6 +15,7 @@
 #include "contact/bodies/height_map.h"
 #include "contact/bodies/roughness.h"
 #include "contact/bodies/shapes_of_revolution.h"
+#include "contact/solvers/adhesive_normal.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 #include "speed/counting.h"
@@ -67,6 +69,15 @@ class Problem {
     contact::NormalSolution press_ball(const contact::Compliance& compliance,
                                        double tolerance) const {
         return by_force(compliance, 4. / 3 * e_star * std::pow(.3 * length_, 3) / ball_, tolerance);
+    }
+
+    /// The same loads on surfaces that attract each other; without an error there is a state.
+    contact::NormalSolution attract(const contact::AttractionLaw& law, double p,
+                                    double tolerance) const {
+        const contact::AdhesiveNormal solver(
+            "rough", *compliance_, attraction_on(compliance_->points(), law, e_star), tolerance);
+        return solver.settle(
+            height_, {contact::NormalControl::Kind::force, p * e_star * length_ * length_}, {});
     }
 
   private:
@@ -160,6 +171,27 @@ BENCHMARK(challenge_area)
     ->ArgsProduct({{512, 1024, 2048}, {4, 8, 16}})
     ->Unit(benchmark::kSecond)
     ->Iterations(1);
+
+/// 512 cells along a side, 16 in the shortest wave, Dugdale's tension over a ring of a few cells:
+/// under .05 E* h' and, on the ball, .005 E* h'.
+void attracted(benchmark::State& state) {
+    const auto surroundings = static_cast<Surroundings>(state.range(0));
+    const Problem problem(512, 16, surroundings);
+    const bool is_ball = surroundings == Surroundings::free;
+    for (auto _ : state) {
+        const CpuTimer timer;
+        const auto solution = problem.attract({.work = 1, .distance = 2.5e-7, .decays = false},
+                                              is_ball ? .005 : .05, 1e-5);
+        state.counters["cpu_s"] = timer.seconds();
+        state.counters["iterations"] = solution.iterations;
+        state.counters["residual"] = solution.residual;
+        state.counters["attracted_fraction"] =
+            static_cast<double>(
+                std::ranges::count_if(solution.tension, [](double s) { return s > 0; })) /
+            static_cast<double>(solution.tension.size());
+    }
+}
+BENCHMARK(attracted)->ArgName("free")->Arg(0)->Arg(1)->Unit(benchmark::kSecond)->Iterations(1);
 
 }  // namespace
 }  // namespace tricontact::speed

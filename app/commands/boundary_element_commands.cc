@@ -10,6 +10,7 @@
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/run/input_reading.h"
 #include "contact/models/model_kind.h"
+#include "contact/relaxing_case.h"
 #include "contact_program/sequence.h"
 #include "contact_program/written_case.h"
 
@@ -93,6 +94,7 @@ void export_to_contact_program(BoundaryElementOptions options) {
     const Case& c = read.c;
     c.require_no_bulk_stress("inputs of CONTACT");
     c.require_no_adhesion("inputs of CONTACT");
+    contact::require_elastic_indenter(c, "inputs of CONTACT");
     const std::string name = std::filesystem::path(options.file).stem().string();
     const std::string influence_name = name + ".influence";
     options.choose_folder("_contact");

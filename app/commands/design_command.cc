@@ -4,6 +4,7 @@
 #include "app/commands/command.h"
 #include "comparisons/quantities/left_out.h"
 #include "contact/models/model_kind.h"
+#include "contact/relaxing_case.h"
 #include "experiments/design/rig_design.h"
 #include "io/case/rig_file.h"
 
@@ -19,6 +20,7 @@ void design_rig(DesignOptions options) {
     input.rig.c.require_rigid_interface("designs");
     input.rig.c.require_no_bulk_stress("designs");
     input.rig.c.require_no_adhesion("designs");
+    contact::require_elastic_indenter(input.rig.c, "designs");
     options.choose_folder("_design");
     experiments::DesignStudy study;
     const std::string name = std::filesystem::path(options.file).filename().string();

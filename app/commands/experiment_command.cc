@@ -3,6 +3,7 @@
 
 #include "app/commands/command.h"
 #include "comparisons/quantities/left_out.h"
+#include "contact/relaxing_case.h"
 #include "experiments/identification/identification_report.h"
 #include "experiments/predictions/record_laws.h"
 #include "experiments/predictions/record_predictions.h"
@@ -52,6 +53,7 @@ void evaluate_records(CommandOptions options) {
         c.require_rigid_interface("predictions of records");
         c.require_no_bulk_stress("predictions of records");
         c.require_no_adhesion("predictions of records");
+        contact::require_elastic_indenter(c, "predictions of records");
     }
     experiments::ExperimentEvaluation evaluation =
         experiments::evaluate_experiment(input.experiment);

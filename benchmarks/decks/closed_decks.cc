@@ -12,11 +12,15 @@ struct ClosedDeck {
     const char* name;
     std::vector<DeckFile> (*write)(const DeckWishes& wishes);
 };
-constexpr ClosedDeck closed_decks[]{
-    {"patch_test", patch_test_deck},         {"wedge", wedge_deck},
-    {"complete_punch", complete_punch_deck}, {"rounded_punch_plane", rounded_punch_plane_deck},
-    {"pin_in_hole", pin_in_hole_deck},       {"receding_layer", receding_layer_deck},
-    {"nafems_roller", nafems_roller_deck},   {"nafems_punch", nafems_punch_deck}};
+constexpr ClosedDeck closed_decks[]{{"patch_test", patch_test_deck},
+                                    {"wedge", wedge_deck},
+                                    {"complete_punch", complete_punch_deck},
+                                    {"rounded_punch_plane", rounded_punch_plane_deck},
+                                    {"pin_in_hole", pin_in_hole_deck},
+                                    {"receding_layer", receding_layer_deck},
+                                    {"nafems_roller", nafems_roller_deck},
+                                    {"nafems_punch", nafems_punch_deck},
+                                    {"complete_punch_two_bodies", complete_punch_two_bodies_deck}};
 
 const ClosedDeck* find_deck(std::string_view problem) {
     for (const ClosedDeck& deck : closed_decks)

@@ -24,6 +24,9 @@ std::vector<DeckFile> pin_in_hole_deck(const DeckWishes& wishes);
 /// A loose strip on a thick block under a line load. Keer, Dundurs and Tsai (1972).
 std::vector<DeckFile> receding_layer_deck(const DeckWishes& wishes);
 
+/// A block with sharp edges on a thick block. Dundurs and Lee (1972).
+std::vector<DeckFile> complete_punch_two_bodies_deck(const DeckWishes& wishes);
+
 /// NAFEMS' contact benchmarks 1 and 2: a roller on a block, a punch with a rounded edge on a
 /// cylinder. Konter (2006).
 std::vector<DeckFile> nafems_roller_deck(const DeckWishes& wishes);

@@ -117,4 +117,14 @@ void add_indenter(DeckMesh& mesh, const DeckModel& model, int n, int level) {
     for (int e = first; e < mesh.n_elements(); ++e) mesh.surfaces["SIND"].push_back({e, 1});
 }
 
+DeckMesh bodies_of(const DeckModel& model, int n, int level, bool is_quadratic) {
+    if (model.own_mesh) return model.own_mesh(n, level, is_quadratic);
+    DeckMesh mesh = block_mesh(model, n, level, is_quadratic);
+    if (model.upper)
+        add_upper_body(mesh, model, n, level);
+    else
+        add_indenter(mesh, model, n, level);
+    return mesh;
+}
+
 }  // namespace tricontact::benchmarks

@@ -18,4 +18,7 @@ void add_indenter(DeckMesh& mesh, const DeckModel& model, int n, int level);
 /// SIND of what may touch.
 void add_upper_body(DeckMesh& mesh, const DeckModel& model, int n, int level);
 
+/// Both bodies: the deck's own, or the block with what presses it.
+DeckMesh bodies_of(const DeckModel& model, int n, int level, bool is_quadratic);
+
 }  // namespace tricontact::benchmarks

@@ -48,6 +48,10 @@ DeckFamily freefem_family(const DeckModel& model, const DeckWishes& wishes);
 /// Scripts for GetFEM's Python: an augmented Lagrangian on the undeformed surface.
 DeckFamily getfem_family(const DeckModel& model, const DeckWishes& wishes);
 
+/// Of two elastic bodies, pressed without friction: by a mortar.
+DeckFamily freefem_pair_family(const DeckModel& model, const DeckWishes& wishes);
+DeckFamily getfem_pair_family(const DeckModel& model, const DeckWishes& wishes);
+
 // All throw contact::InputError for elements that the deck has not and cases that the code cannot
 // have.
 

@@ -154,9 +154,10 @@ void set_round_body(DeckModel& model, const contact::Case& c) {
     if (!is_round || body.support == Body::Support::hub)
         refuse("bodies of decks are hemispheres, balls and cylinders between plates",
                "take one of these, or compare results of an input of your own");
-    if (model.shape == DeckModel::Shape::half || model.mu > 0)
-        refuse("bodies of finite size are pressed without friction, along their axis",
-               "remove the tangential load, and set contact.coupling = false");
+    if (model.shape == DeckModel::Shape::half || (model.mu > 0 && c.has_rigid_substrate))
+        refuse(
+            "bodies of finite size are pressed along their axis, on a rigid plane without friction",
+            "remove the tangential load, and set contact.coupling = false");
     const double radius = c.indenter.radius * to_mm, young = c.indenter.material->young * to_mpa,
                  poisson = c.indenter.material->poisson;
     if (!c.has_rigid_substrate) {
@@ -274,8 +275,8 @@ double DeckModel::height(double x, double y) const {
 
 void require_one_body(const DeckModel& model) {
     if (model.upper)
-        refuse("two bodies that deform have a deck for calculix and abaqus alone",
-               "take one of these");
+        refuse("two bodies that deform have no deck of meshes alone",
+               "take calculix, abaqus, freefem or getfem");
 }
 
 DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes) {

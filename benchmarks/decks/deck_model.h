@@ -55,6 +55,10 @@ struct DeckModel {
     /// Both bodies, in place of block and indenter, with their sets and surfaces: of so many
     /// elements in a on the coarsest level, the given level of refinement.
     std::function<DeckMesh(int n, int level, bool is_quadratic)> own_mesh;
+    /// Of a pin in a hole: the hole's radius, about the origin [mm], along whose radii each point
+    /// is pressed; `gap` is then a formula of the length of arc. 0: along the load.
+    double conforming_radius = 0;
+    bool has_depth = true;   ///< false: where the load acts has no depth that means anything
     std::string own_words;   ///< what those bodies are, for the README
     double loaded_area = 0;  ///< of the face SLOAD, which a force presses evenly [mm^2]; 0: none
     bool has_sharp_edge = false;  ///< infinite pressure at the edge of the contact
@@ -90,7 +94,7 @@ struct DeckModel {
 /// Throws contact::InputError where no deck can have what the case has.
 DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes);
 
-/// Throws contact::InputError where two bodies deform, which only inputs of Abaqus' kind have.
+/// Throws contact::InputError where two bodies deform.
 void require_one_body(const DeckModel& model);
 
 /// The face of a flat rigid body.

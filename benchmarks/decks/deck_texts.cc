@@ -110,6 +110,10 @@ std::string block_words(const DeckModel& model) {
 }
 
 std::string method_words(const DeckModel& model, const DeckFamily& family) {
+    if (family.method == "mortar")
+        return "Contact: pressures linear between points of the lower body's surface act on both "
+               "(mortar); gap and normal of the undeformed surfaces. Each body is condensed to "
+               "those points, so that the script solves a dense contact problem.";
     if (!family.has_stiffness)
         return "Contact: augmented Lagrangian, gap and normal of the undeformed surface.";
     std::string words = fmt::format("Contact: penalty of {:.9g} MPa/mm", model.stiffness);

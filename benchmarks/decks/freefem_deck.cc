@@ -112,11 +112,11 @@ if (abs(force - target) > 1e-9*target) { cout << "error: no depth has this force
 }  // namespace
 
 DeckFamily freefem_family(const DeckModel& model, const DeckWishes& wishes) {
+    if (model.upper) return freefem_pair_family(model, wishes);
     if (model.shape == DeckModel::Shape::half || model.mu > 0)
         throw contact::InputError(
             "deck: the deck for FreeFem++ is axisymmetric or plane and frictionless; take calculix "
             "or getfem");
-    require_one_body(model);
     const std::string element = wishes.elements.empty() ? "P2" : wishes.elements;
     if (element != "P1" && element != "P2")
         throw contact::InputError("deck: elements " + element +

@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
-#include <cctype>
-
 #include "benchmarks/decks/deck_family.h"
+#include "benchmarks/decks/getfem_words.h"
 #include "benchmarks/decks/graded_line.h"
 #include "benchmarks/decks/script_text.h"
 #include "contact/base/error.h"
@@ -106,24 +105,6 @@ constexpr const char* getfem_steps =
         raise SystemExit('error: the contact did not converge in 100 iterations')
     md.set_variable('old', md.variable('u')))";
 
-constexpr const char* getfem_plane = "la*Div_u*Div_Test_u + 2*mu*(Sym(Grad_u):Sym(Grad_Test_u))";
-constexpr const char* getfem_axisymmetric =
-    "2*pi*X(1)*(la*(Div_u + u(1)/X(1))*(Div_Test_u + Test_u(1)/X(1))'\n"
-    "                   ' + 2*mu*(Sym(Grad_u):Sym(Grad_Test_u) + u(1)*Test_u(1)/sqr(X(1))))";
-
-// "r" of a formula as GetFEM's language calls it.
-std::string in_getfem(const std::string& formula) {
-    std::string text;
-    for (std::size_t i = 0; i < formula.size(); ++i) {
-        const bool is_radius =
-            formula[i] == 'r' &&
-            (i == 0 || !std::isalpha(static_cast<unsigned char>(formula[i - 1]))) &&
-            (i + 1 == formula.size() || !std::isalpha(static_cast<unsigned char>(formula[i + 1])));
-        text += is_radius ? "X(1)" : std::string(1, formula[i]);
-    }
-    return text;
-}
-
 std::string middles_of(const DeckModel& model, bool has_middles) {
     if (model.round_radius > 0)
         return std::string(getfem_round_points) + (has_middles ? getfem_round_middles : "");
@@ -133,20 +114,20 @@ std::string middles_of(const DeckModel& model, bool has_middles) {
 }  // namespace
 
 DeckFamily getfem_family(const DeckModel& model, const DeckWishes& wishes) {
+    if (model.upper) return getfem_pair_family(model, wishes);
     const bool has_friction = model.mu > 0;
     if (model.shape == DeckModel::Shape::half || model.is_shifted() ||
         (has_friction && (model.has_force() || model.steps.size() > 1)))
         throw contact::InputError(
             "deck: the deck for GetFEM is axisymmetric or plane, with friction pressed to one "
             "depth; take calculix");
-    require_one_body(model);
     const std::string element = wishes.elements.empty() ? "Q2" : wishes.elements;
     if (element != "Q1" && element != "Q2")
         throw contact::InputError("deck: elements " + element +
                                   " are none of GetFEM's deck; choose of Q2, Q1");
     const bool is_plane = model.shape == DeckModel::Shape::plane, is_force = model.last().is_force;
     DeckFamily family;
-    family.code = "GetFEM 5.4.2";
+    family.code = getfem_version;
     family.elements = element;
     family.method = "augmented-lagrangian";
     family.kinematics = "undeformed";
@@ -195,7 +176,7 @@ DeckFamily getfem_family(const DeckModel& model, const DeckWishes& wishes) {
                      {"young", number(model.young)},
                      {"poisson", number(model.poisson)},
                      {"augmentation", number(2 * model.stiffness)},
-                     {"gap", in_getfem(model.gap)},
+                     {"gap", with_radius(model.gap, "X(1)")},
                      {"x", number_list(lines.x)},
                      {"z", number_list(heights)},
                      {"element", element},
@@ -206,7 +187,7 @@ DeckFamily getfem_family(const DeckModel& model, const DeckWishes& wishes) {
                      {"place", model.round_radius > 0
                                    ? filled(getfem_place, {{"round", number(model.round_radius)}})
                                    : ""},
-                     {"elastic", is_plane ? getfem_plane : getfem_axisymmetric},
+                     {"elastic", getfem_elasticity(model)},
                      {"share", is_plane ? "2*" : ""},
                      {"code", family.code},
                      {"force_unit", is_plane ? "N/mm" : "N"},

@@ -112,19 +112,19 @@ void write_steps(std::string& text, const DeckModel& model, bool is_abaqus) {
     }
 }
 
-DeckMesh bodies_of(const DeckModel& model, int n, int level, bool is_quadratic) {
-    if (model.own_mesh) return model.own_mesh(n, level, is_quadratic);
-    DeckMesh mesh = block_mesh(model, n, level, is_quadratic);
-    if (model.upper)
-        add_upper_body(mesh, model, n, level);
-    else
-        add_indenter(mesh, model, n, level);
-    return mesh;
+// CalculiX has no contact on faces that touch the axis of revolution, where its elements
+// degenerate.
+constexpr double beside_axis = 2.5e-5;  // in a
+
+void move_off_axis(DeckMesh& mesh, double distance) {
+    for (DeckMesh::Point& p : mesh.nodes)
+        if (p[0] == 0) p[0] = distance;
 }
 
 std::string inp_text(const DeckModel& model, const InpElement& element, int n, int level,
                      bool is_abaqus) {
-    const DeckMesh mesh = bodies_of(model, n, level, element.is_quadratic);
+    DeckMesh mesh = bodies_of(model, n, level, element.is_quadratic);
+    if (model.shape == DeckModel::Shape::axisymmetric) move_off_axis(mesh, beside_axis * model.a);
     volume_of(mesh, 0, mesh.n_elements());
     std::string text;
     const Out out = std::back_inserter(text);
@@ -165,6 +165,11 @@ DeckFamily inp_family(const DeckModel& model, const DeckWishes& wishes, bool is_
             "which was; friction's elastic slip and the output follow Abaqus' manual. Save r (or "
             "x, y) "
             "and CPRESS of SLAYER as columns of the CSV files that submission.toml names.");
+    if (model.shape == DeckModel::Shape::axisymmetric)
+        family.remarks.push_back(fmt::format(
+            "Nodes of the axis are at r = {:.3g} mm: CalculiX has no contact on faces that touch "
+            "the axis of revolution.",
+            beside_axis * model.a));
     const bool is_spatial = model.shape == DeckModel::Shape::half;
     if (is_spatial)
         family.remarks.push_back(

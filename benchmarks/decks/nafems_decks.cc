@@ -40,10 +40,10 @@ DeckMesh konter_base(const std::vector<double>& x, double size, int level, bool 
     const std::vector<double> below = konter_line(size, 1, block_side, level);
     std::vector<double> heights;
     for (auto at = below.rbegin(); at != below.rend(); ++at) heights.push_back(0 - *at);
-    const double bottom = heights.front(), axis = x.front();
+    const double bottom = heights.front();
     add_block(mesh, {x, heights, {}}, [](const Point& p) { return p; },
               {{"NBASE", [=](const Point& p) { return p[1] == bottom; }},
-               {"NAXIS", [=](const Point& p) { return p[0] == axis; }}});
+               {"NAXIS", [](const Point& p) { return p[0] == 0; }}});
     mesh.n_body_elements = mesh.n_elements();
     add_row(mesh, "SLAYER", x, mesh.n_elements() - static_cast<int>(x.size()) + 1, 3, reach);
     return mesh;
@@ -88,32 +88,26 @@ DeckMesh roller_mesh(int n, int level, bool is_quadratic) {
     return mesh;
 }
 
-// Benchmark 2. CalculiX has no contact on faces that touch the axis of revolution, where its
-// elements degenerate: the axis' nodes are beside it.
+// Benchmark 2.
 constexpr double punch_flat = 40, punch_edge = 10, punch_side = 50, punch_height = 100;
-constexpr double beside_axis = 1e-3;
 
 DeckMesh konter_punch_mesh(int n, int level, bool is_quadratic) {
     const double size = punch_flat / n, reach = punch_flat + 4;
-    const auto off_axis = [](std::vector<double> x) {
-        x.front() = beside_axis;
-        return x;
-    };
-    DeckMesh mesh = konter_base(off_axis(konter_line(size, n + 1, block_reach, level)), size, level,
+    DeckMesh mesh = konter_base(konter_line(size, n + 1, block_reach, level), size, level,
                                 is_quadratic, std::max(reach, punch_flat + size));
-    const std::vector<double> x = off_axis(konter_line(size, n, punch_side, level)),
+    const std::vector<double> x = konter_line(size, n, punch_side, level),
                               up = konter_line(size, 1, punch_height, level);
-    const double top = up.back(), axis = x.front();
-    const auto is_leader = [=](const Point& p) { return p[0] == axis && p[1] == top; };
+    const double top = up.back();
+    const auto is_leader = [=](const Point& p) { return p[0] == 0 && p[1] == top; };
     add_block(mesh, {x, up, {}},
               [=](const Point& p) -> Point {
                   const double beyond = std::max(0., p[0] - punch_flat),
                                rise = beyond * beyond / (2 * punch_edge);
                   return {p[0], p[1] + rise * (1 - p[1] / punch_height), 0};
               },
-              {{"NIND", is_leader},
-               {"NDEPTH", is_leader},
-               {"NAXIS", [=](const Point& p) { return p[0] == axis && !is_leader(p); }}});
+              {{"NIND", is_leader}, {"NDEPTH", is_leader}, {"NAXIS", [=](const Point& p) {
+                                                                return p[0] == 0 && !is_leader(p);
+                                                            }}});
     add_row(mesh, "SIND", x, mesh.n_body_elements, 1, punch_side);
     const int columns = static_cast<int>(x.size()) - 1;
     add_row(mesh, "SLOAD", x, mesh.n_elements() - columns, 3, punch_side);
@@ -127,6 +121,7 @@ std::vector<DeckFile> nafems_roller_deck(const DeckWishes& wishes) {
     model.shape = DeckModel::Shape::plane;
     model.title = "NAFEMS contact benchmark 1: steel roller on an aluminium block";
     model.a = roller_contact;
+    model.gap = "r*r/(50+sqrt(50*50-r*r))";
     model.own_mesh = roller_mesh;
     model.own_words =
         "Block: 100 mm to either side, 200 mm deep, its base held; E = 70000 MPa. Roller: R = 50 "
@@ -145,13 +140,14 @@ std::vector<DeckFile> nafems_punch_deck(const DeckWishes& wishes) {
     DeckModel model = konter_model(wishes.problem);
     model.title = "NAFEMS contact benchmark 2: steel punch with a rounded edge on a cylinder";
     model.a = punch_flat;
+    model.gap = "0.5*(r-40+abs(r-40))*0.5*(r-40+abs(r-40))/(2*10)";
+    model.has_depth = false;      // the pressed face bends
     model.has_sharp_edge = true;  // nearly: the pressure rises by 1/(element size) at r = 40 mm
     model.own_mesh = konter_punch_mesh;
     model.own_words =
         "Cylinder: 100 mm radius, 200 mm high, its base held; E = 70000 MPa. Punch: 50 mm radius, "
         "100 mm high, its edge rounded beyond 40 mm by a parabola of 10 mm; E = 210000 MPa. nu = "
-        "0.3. A pressure of 100 MPa acts on its upper face. Nodes of the axis are at r = 0.001 mm, "
-        "for CalculiX has no contact on faces that touch it.";
+        "0.3. A pressure of 100 MPa acts on its upper face.";
     model.depth_scale = .134;
     using std::numbers::pi;
     model.loaded_area = pi * punch_side * punch_side;

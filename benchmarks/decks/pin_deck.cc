@@ -88,6 +88,8 @@ DeckModel pin_model(const std::string& name) {
     model.poisson = .3;
     model.upper = {{.radius = pin, .young = model.young, .poisson = model.poisson}};
     model.indenter = flat_face();
+    model.conforming_radius = hole;
+    model.gap = "0.02*(1-cos(r/10))";  // of both circles, touching at the lowest point
     model.own_mesh = pin_mesh;
     model.own_words =
         "Plate: its outer edge, of 1000 mm radius, is held; the hole has 10 mm. Pin: a rigid hub "

@@ -58,7 +58,7 @@ std::map<std::string, RatioOf> ratios_of(const Problem& problem, const Reference
                  shear_modulus = c.substrate.young / (2 * (1 + c.substrate.poisson));
     std::map<std::string, RatioOf> ratios{
         {keys::stiffness_ratio, {keys::normal_stiffness, 4 * shear_modulus * a}}};
-    if (problem.name == "carter")
+    if (problem.name == "carter" || problem.name == "carter_two_cylinders")
         ratios[keys::creepage_ratio] = {keys::creepage, c.friction_coefficient() * a / radius};
     if (problem.name == "bentall_johnson")
         ratios[keys::creepage_ratio] = {keys::creepage, a / radius};

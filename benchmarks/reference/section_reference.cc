@@ -1,12 +1,16 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 
 #include "benchmarks/reference/exact_parts.h"
 #include "benchmarks/reference/model_levels.h"
 #include "benchmarks/reference/reference_kinds.h"
+#include "comparisons/resolution/refinement.h"
 #include "contact/base/error.h"
 #include "contact/models/model_kind.h"
 #include "fem/settings.h"
@@ -25,6 +29,9 @@ namespace keys = quantity_keys;
 
 constexpr std::array elements_of_levels{12., 24., 48.};
 constexpr std::array elements_with_friction{8., 16., 32.};  // a path takes many steps on each
+constexpr std::array elements_that_roll{3., 6., 12.};       // a step a node
+constexpr double least_rolled = 6;  // of each leg, in a: the force has built up after 4 a
+constexpr double measured_end = 1;  // of each leg, in a: where creep is measured
 constexpr double elements_of_neighbours = 32;
 constexpr double neighbour_step = .06;  // of depth or force, in effects
 
@@ -170,6 +177,68 @@ std::vector<EndState> section_levels(const Case& c, double radius, const std::st
     return levels;
 }
 
+/// Of a path whose last two rows roll out and back: how long each is [m]; empty: another path.
+std::optional<std::array<double, 2>> rolled_legs(const Case& c) {
+    if (!c.prescribed_path || c.prescribed_path->rows.size() < 3) return {};
+    const auto& rows = c.prescribed_path->rows;
+    const std::size_t n = rows.size();
+    const double out = rows[n - 2].offset[0] - rows[n - 3].offset[0],
+                 back = rows[n - 1].offset[0] - rows[n - 2].offset[0];
+    if (!(out * back < 0)) return {};
+    return {{out, back}};
+}
+
+/// Shift per way rolled over the end of the leg that ends with this record.
+double creep_before(const contact::History& history, std::size_t last, double way) {
+    const auto& steps = history.steps;
+    std::size_t first = last;
+    constexpr double rounding = 1e-9;
+    while (first > 0 &&
+           std::abs(steps[last].offset[0] - steps[first].offset[0]) < way * (1 - rounding))
+        --first;
+    return (steps[last].shift[0] - steps[first].shift[0]) /
+           std::abs(steps[last].offset[0] - steps[first].offset[0]);
+}
+
+/// Creep under a force, the mean of both directions: finite bodies creep without a force, too,
+/// towards where they roll, which the mean is without.
+void refer_section_that_rolls(Reference& reference, const std::array<double, 2>& legs,
+                              double radius, const std::string& model,
+                              const contact::ModelRunner& runner) {
+    const Case& c = reference.c;
+    std::vector<EndState> levels;
+    std::vector<double> sizes, creeps;
+    for (const double count : elements_that_roll) {
+        Case finer = on_elements(c, radius, count);
+        auto& rows = finer.prescribed_path->rows;
+        const double node = radius / count / 2;
+        for (std::size_t k = 1; k < rows.size(); ++k)
+            rows[k].steps = std::max(
+                1, static_cast<int>(
+                       std::lround(std::abs(rows[k].offset[0] - rows[k - 1].offset[0]) / node)));
+        levels.push_back(end_state(runner, model, finer));
+        levels.back().size = radius / count;
+        sizes.push_back(levels.back().size);
+        const contact::History& history = levels.back().history;
+        const std::size_t last = history.steps.size() - 1, turned = last - rows.back().steps;
+        const double way = measured_end * radius;
+        creeps.push_back((creep_before(history, turned, way) + creep_before(history, last, way)) /
+                         2);
+    }
+    reference.models = {model};
+    reference.values = values_of_levels(c, levels, model);
+    reference.contact_radius = reference.values.at(keys::contact_radius).value;
+    set_area(reference);
+    const auto creep = comparisons::estimate_limit(sizes, creeps);
+    reference.values[keys::creepage] = {.value = creep.value, .grid = creep.error, .source = model};
+    reference.fields = section_fields(reference, levels.back());
+    reference.remarks.emplace_back(fmt::format(
+        "creepage is the mean of both directions, shift per way rolled over the last a of {:.3g} "
+        "and {:.3g} mm; all else is the end of the path",
+        1e3 * std::abs(legs[0]), 1e3 * std::abs(legs[1])));
+    reference.remarks.emplace_back("tractions along the surface are not compared");
+}
+
 bool rolls_or_follows_a_path(const Case& c) {
     return c.rolling || c.prescribed_path;
 }
@@ -204,16 +273,25 @@ void refer_section(Reference& reference, const contact::ModelRunner& runner) {
             "reference: bodies of a finite size are assumed to lie on a flat substrate; compare "
             "with the problem pin_in_hole, or take a run of fem-plane as the reference");
     const bool is_plane = c.is_line_contact();
-    if (!is_frictionless(c) && (rolls_or_follows_a_path(c) || !(is_plane || c.is_pressed_only())))
+    const auto legs = rolled_legs(c);
+    if (!legs && !is_frictionless(c) &&
+        (rolls_or_follows_a_path(c) || !(is_plane || c.is_pressed_only())))
         throw contact::InputError(
             "reference: bodies of a finite size are assumed to be pressed, and with friction to be "
-            "pulled once in plane strain; remove path and rolling, or take a run of fem-plane as "
-            "the "
-            "reference");
+            "pulled once in plane strain or rolled out and back; remove path and rolling, or take "
+            "a run of fem-plane as the reference");
     const std::string model =
         is_plane ? contact::models::fem_plane : contact::models::fem_axisymmetric;
     const Case pressed = pressed_alone(c, final_normal(c));
     const double radius = end_state(runner, model, pressed).scales.contact_radius;
+    if (legs) {
+        if (std::min(std::abs((*legs)[0]), std::abs((*legs)[1])) < least_rolled * radius)
+            throw contact::InputError(fmt::format(
+                "reference: creep is that of legs of {} a at least, {:.3g} mm here; roll farther, "
+                "or take a run of fem-plane as the reference",
+                least_rolled, 1e3 * least_rolled * radius));
+        return refer_section_that_rolls(reference, *legs, radius, model, runner);
+    }
     if (!is_frictionless(c)) return refer_section_with_friction(reference, radius, model, runner);
     const std::vector<EndState> levels =
         section_levels(pressed, radius, model, runner, elements_of_levels);

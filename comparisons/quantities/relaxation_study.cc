@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "contact/base/stopped.h"
+#include "contact/relaxing_case.h"
 #include "contact/verdict.h"
 
 namespace tricontact::comparisons {
@@ -78,7 +79,8 @@ std::optional<DriveValues> drive_values(const Case& c, double amplitude) {
     if (!c.relaxation || !c.rolling || !(c.rolling->speed > 0) || !(amplitude > 0)) return {};
     const double frequency = c.rolling->speed / (4 * amplitude);
     const double omega = 2 * std::numbers::pi * frequency;
-    const auto modulus = c.substrate.shear_modulus() * c.relaxation->dynamic_ratio(omega);
+    const auto modulus =
+        contact::relaxing_material(c).shear_modulus() * c.relaxation->dynamic_ratio(omega);
     DriveValues drive{amplitude, frequency, modulus.real(), modulus.imag(), {}};
     for (const auto& branch : c.relaxation->branches) drive.deborah.push_back(omega * branch.time);
     return drive;

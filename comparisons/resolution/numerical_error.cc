@@ -33,6 +33,7 @@ constexpr double of_tolerance = 10;
 // an error that depends on where between two of them the contact ends, of either sign.
 constexpr double first_order = .5, no_order = 1;
 constexpr double of_work = 2.5;
+constexpr double of_slow_meshes = std::numbers::sqrt2 + 1;
 
 /// What differences count for. The error of frictional work falls with the power 2/3 of the steps'
 /// length, as the slip of a contact that grows does: half the steps change 1/1.7 of it. With the
@@ -51,10 +52,14 @@ std::optional<double> half_width(const NumericalError& error, const Value& value
     const double change = std::abs(*fine - *coarse);
     double mesh = factor_of_two_meshes * change;
     if (error.coarsest) {
+        // A contact that lets go may be too few points across there.
         const std::optional<double> coarsest = value(*error.coarsest);
-        if (!coarsest) return {};
-        mesh = safety_factor * std::max(change, factors.coarsest * std::abs(*coarse - *coarsest));
+        if (!coarsest && !error.is_slow) return {};
+        if (coarsest)
+            mesh =
+                safety_factor * std::max(change, factors.coarsest * std::abs(*coarse - *coarsest));
     }
+    if (error.is_slow) mesh *= of_slow_meshes;
     double rest = 0;
     const std::array others{std::pair(&error.long_steps, factors.steps),
                             std::pair(&error.short_steps, factors.steps * of_quarter_steps),

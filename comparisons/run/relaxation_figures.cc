@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "comparisons/run/relaxation_report.h"
+#include "contact/relaxing_case.h"
 #include "io/case/case_input.h"
 
 namespace tricontact::comparisons {
@@ -28,7 +29,8 @@ struct Range {
 /// G' and G'' [MPa] of the case over f [Hz].
 std::vector<Curve> moduli(const Case& c, const Range& range) {
     const auto modulus = [&](double f) {
-        return c.substrate.shear_modulus() * c.relaxation->dynamic_ratio(turn * f) * 1e-6;
+        return contact::relaxing_material(c).shear_modulus() *
+               c.relaxation->dynamic_ratio(turn * f) * 1e-6;
     };
     Curve storage{.name = "G′", .colour = 0}, loss{.name = "G″", .colour = 1};
     storage.sample_decades(range.low, range.high, curve_parts,
@@ -97,9 +99,9 @@ std::vector<Mark> marks(const RelaxationStudy& study) {
         result.push_back(
             {study.twins.front().drive->frequency, "drive", "Drive: frequency of the rolling."});
     if (study.limit && study.limit->frequency)
-        result.push_back({*study.limit->frequency, "elastic within 1 %",
-                          "Below the other vertical line the elastic substrate errs by less than "
-                          "1 %."});
+        result.push_back(
+            {*study.limit->frequency, "elastic within 1 %",
+             "Below the other vertical line taking it as elastic errs by less than 1 %."});
     return result;
 }
 
@@ -121,7 +123,8 @@ std::vector<report::Figure> modulus_figures(const Case& c, const RelaxationStudy
     const std::vector<Mark> marked = marks(study);
     const Range range = frequencies(c, marked);
     report::Figure figure{.id = "modulus",
-                          .title = "Dynamic shear modulus of the substrate",
+                          .title = std::string("Dynamic shear modulus of the ") +
+                                   (contact::substrate_relaxes(c) ? "substrate" : "indenter"),
                           .caption = "Storage modulus G′ and loss modulus G″ of the case.",
                           .x = {"frequency f [Hz]", true, range.low, range.high},
                           .y = {"modulus [MPa]", true},
@@ -145,7 +148,7 @@ std::vector<report::Figure> modulus_figures(const Case& c, const RelaxationStudy
     }
     if (!fits.dma) return {figure};
     const auto [storage, loss, storage_residual, loss_residual] =
-        measured(*fits.dma, c.substrate.shear_modulus());
+        measured(*fits.dma, contact::relaxing_material(c).shear_modulus());
     figure.curves.insert(figure.curves.end(), {storage, loss});
     figure.caption +=
         " Points: the DMA table times one factor, so that its relaxed modulus is the case's.";

@@ -5,6 +5,7 @@
 
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/run/relaxation_report.h"
+#include "contact/relaxing_case.h"
 #include "io/case/case_input.h"
 #include "report/json_number.h"
 
@@ -68,22 +69,23 @@ json fit_json(const Case& c) {
             {"worst_residual", fit->worst.residual},
             {"worst_frequency_Hz", fit->worst.omega / (2 * std::numbers::pi)},
             {"worst_of", fit->worst.loss ? "loss" : "storage"},
-            {"remarks", contact::remarks(*fit, c.substrate.shear_modulus())}};
+            {"remarks", contact::remarks(*fit, contact::relaxing_material(c).shear_modulus())}};
 }
 
 json test_json(const Case& c) {
     const auto& fit = io::relaxation_fits(c).test;
     if (!fit) return nullptr;
     const bool young = fit->table.is_young;
-    return {{"table", fit->table.name},
-            {"rows", fit->table.size()},
-            {"modulus", fit->table.symbol()},
-            {"relaxed_modulus_Pa", fit->relaxed_modulus},
-            {"residual_rms", fit->rms},
-            {"worst_residual", fit->worst_residual},
-            {"worst_time_s", fit->worst_time},
-            {"remarks",
-             contact::remarks(*fit, young ? c.substrate.young : c.substrate.shear_modulus())}};
+    return {
+        {"table", fit->table.name},
+        {"rows", fit->table.size()},
+        {"modulus", fit->table.symbol()},
+        {"relaxed_modulus_Pa", fit->relaxed_modulus},
+        {"residual_rms", fit->rms},
+        {"worst_residual", fit->worst_residual},
+        {"worst_time_s", fit->worst_time},
+        {"remarks", contact::remarks(*fit, young ? contact::relaxing_material(c).young
+                                                 : contact::relaxing_material(c).shear_modulus())}};
 }
 
 }  // namespace
@@ -91,7 +93,7 @@ json test_json(const Case& c) {
 json relaxation_json(const Case& c, const RelaxationStudy& study) {
     json models = json::object();
     for (const TwinComparison& twin : study.twins) models[twin.model] = twin_json(twin);
-    const double relaxed = c.substrate.shear_modulus();
+    const double relaxed = contact::relaxing_material(c).shear_modulus();
     const auto branch_json = [&](const auto& branch) -> json {
         return {{"shear_modulus_Pa", relaxed * branch.ratio}, {"time_s", branch.time}};
     };

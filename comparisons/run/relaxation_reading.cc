@@ -6,6 +6,7 @@
 #include "comparisons/quantities/change_table.h"
 #include "comparisons/run/loading_reading.h"
 #include "comparisons/run/relaxation_report.h"
+#include "contact/relaxing_case.h"
 #include "contact/verdict.h"
 #include "io/case/case_input.h"
 #include "report/format.h"
@@ -28,8 +29,9 @@ std::string times_text(const Relaxation& relaxation) {
 }
 
 std::string substrate_sentence(const Case& c) {
-    const double relaxed = c.substrate.shear_modulus();
-    return fmt::format("The shear modulus relaxes from {} to {}, by {}.",
+    const double relaxed = contact::relaxing_material(c).shear_modulus();
+    return fmt::format("The shear modulus of the {} relaxes from {} to {}, by {}.",
+                       contact::substrate_relaxes(c) ? "substrate" : "indenter",
                        report::quantity(relaxed * c.relaxation->instantaneous_ratio(), "Pa"),
                        report::quantity(relaxed, "Pa"), times_text(*c.relaxation));
 }
@@ -58,8 +60,9 @@ std::string static_sentence(const Case& c, const RelaxationStudy& study) {
     if (errors.empty()) return {};
     return fmt::format(
         "The static shift depends on the hold time under F_T (load.hold = {}), not on the drive: "
-        "there the elastic substrate errs by {}.",
-        report::given_quantity(c.load.hold, "s"), fmt::join(errors, ", "));
+        "there the elastic {} errs by {}.",
+        report::given_quantity(c.load.hold, "s"), contact::relaxing_word(c),
+        fmt::join(errors, ", "));
 }
 
 std::string limit_sentence(const SpeedLimit& limit, const Case& c) {
@@ -119,12 +122,14 @@ std::vector<std::string> relaxation_sentences(const Case& c, const RelaxationStu
     result.push_back(static_sentence(c, study));
     const io::RelaxationFits& fits = io::relaxation_fits(c);
     if (fits.dma)
-        for (const std::string& remark : contact::remarks(*fits.dma, c.substrate.shear_modulus()))
+        for (const std::string& remark :
+             contact::remarks(*fits.dma, contact::relaxing_material(c).shear_modulus()))
             result.push_back(remark + ".");
     if (fits.test)
         for (const std::string& remark :
-             contact::remarks(*fits.test, fits.test->table.is_young ? c.substrate.young
-                                                                    : c.substrate.shear_modulus()))
+             contact::remarks(*fits.test, fits.test->table.is_young
+                                              ? contact::relaxing_material(c).young
+                                              : contact::relaxing_material(c).shear_modulus()))
             result.push_back(remark + ".");
     std::erase(result, std::string());
     return result;
@@ -133,13 +138,14 @@ std::vector<std::string> relaxation_sentences(const Case& c, const RelaxationStu
 report::DocumentTable relaxation_table(const Case& c, const RelaxationStudy& study) {
     report::DocumentTable table{
         .id = "relaxation",
-        .title = "Relaxing substrate",
-        .note =
-            "The elastic substrate has the relaxed modulus: what an infinitely slow drive "
+        .title = std::string("Relaxing ") + contact::relaxing_word(c),
+        .note = fmt::format(
+            "The elastic {0} has the relaxed modulus: what an infinitely slow drive "
             "finds, with the same a, d and U_max. Its error is its shift over that of the "
             "relaxing one, minus 1; settled shifts are compared where both shake down, "
             "increments where both ratchet. Scales, closed forms and κ, η of this report know "
-            "the relaxed substrate only.",
+            "the relaxed {0} only.",
+            contact::relaxing_word(c)),
         .columns = quantity_columns()};
     const auto row = [&](const std::string& label, const std::string& unit, const auto& cell) {
         std::vector<report::Cell> cells{label, unit};
@@ -148,7 +154,7 @@ report::DocumentTable relaxation_table(const Case& c, const RelaxationStudy& stu
     };
     const auto error = [&](const std::string& of,
                            std::optional<double> (TwinComparison::*get)() const) {
-        row("error of the elastic substrate: " + of, "%",
+        row(fmt::format("error of the elastic {}: {}", contact::relaxing_word(c), of), "%",
             [get](const TwinComparison& twin) { return 100 * (twin.*get)().value_or(NAN); });
     };
     for (const TwinComparison& twin : study.twins)

@@ -16,8 +16,7 @@ namespace {
 /// Of tensions, over sigma_0: an exponential law ends where it has fallen to that.
 constexpr double no_tension = 1e-7;
 
-/// Of the zone in which tension acts: its length in points without a range, and the least.
-constexpr double points_without_range = 3, least_points = 2;
+constexpr double least_points = 2;  // of the zone in which tension acts
 
 /// Distance of points [m]; of the elements that bear them where these are nodes of such.
 double size_of(const ContactPoints& points) {
@@ -39,7 +38,10 @@ double Attraction::tension(double gap, double width) const {
         const double part = std::exp(-gap / distance);
         return part > no_tension ? strength * part : 0;
     }
-    if (is_short_ranged) return strength * std::max(0., 1 - gap / distance);
+    if (is_short_ranged) {
+        const double x = std::min(1., gap / distance), left = 1 - x * x;
+        return strength * left * left;
+    }
     width = std::min(width, 2 * distance);
     if (width <= 0) return gap < distance ? strength : 0;
     return strength * std::clamp((distance - gap) / width + .5, 0., 1.);
@@ -51,22 +53,27 @@ double Attraction::energy(double gap, double width) const {
     if (decays) return -work() * std::exp(-gap / distance);
     width = std::min(width, 2 * distance);
     const double left = distance - gap;
-    if (is_short_ranged) return left > 0 ? -strength * left * left / (2 * distance) : 0;
+    if (is_short_ranged) {
+        const double x = std::min(1., gap / distance), square = x * x;
+        return strength * distance * (x * (1 - square * (2. / 3 - square / 5)) - smooth_work);
+    }
     if (left >= width / 2) return -strength * left;
     if (left <= -width / 2) return 0;
     return -strength * (left + width / 2) * (left + width / 2) / (2 * width);
 }
 
 // A crack whose faces attract each other lets go over the length rho = pi/8 (K/sigma_0)^2, K^2 =
-// 2 E* w, if rho is short and the tension sigma_0 (Dugdale 1960; Maugis 1992). Where the tension
-// falls with the gap from sigma_0 to 0, rho is about 0.73 (K/sigma_0)^2. That tension has no edge
-// at which it jumps: over three points loading and unloading pass through the same states.
-Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, double modulus) {
+// 2 E* w, if rho is short and the tension sigma_0 (Dugdale 1960; Maugis 1992). Where it falls as
+// (1 - (g/distance)^2)^2, rho is pi/2 (K/(I sigma_0))^2 with I = int s t^(-1/2) dt/(sigma_0
+// rho^(1/2)) = 1.58 of a gap that opens as t^(3/2). That tension has neither an edge nor a kink:
+// over three points loading and unloading pass through the same states.
+Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, double modulus,
+                         double wide) {
     const double squared = 2 * modulus * law.work, size = size_of(points);
     if (law.distance == 0) {
-        const double strength = std::sqrt(.73 * squared / (points_without_range * size));
+        const double strength = std::sqrt(.63 * squared / (wide * size));
         return {.strength = strength,
-                .distance = 2 * law.work / strength,
+                .distance = law.work / (smooth_work * strength),
                 .decays = false,
                 .is_short_ranged = true};
     }

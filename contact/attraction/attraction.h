@@ -9,27 +9,34 @@
 
 namespace tricontact::contact {
 
+/// Integral of (1 - x^2)^2 from 0 to 1.
+inline constexpr double smooth_work = 8. / 15;
+
 /// Tension that surfaces exert on each other over the gap g between them, as the points of a
 /// surface feel it.
 struct Attraction {
     double strength = 0;  ///< sigma_0 [Pa]
     double distance = 0;  ///< of the law [m]
     bool decays = false;  ///< sigma_0 exp(-g/distance), else sigma_0 up to the distance
-    /// sigma_0 was chosen for the points, in place of range 0: sigma_0 (1 - g/distance).
+    /// sigma_0 was chosen for the points, in place of range 0: sigma_0 (1 - (g/distance)^2)^2.
     bool is_short_ranged = false;
 
     /// w [J/m^2].
-    double work() const { return strength * distance * (is_short_ranged ? .5 : 1); }
+    double work() const { return strength * distance * (is_short_ranged ? smooth_work : 1); }
     /// Tension of a point whose surface has gaps from g - width/2 to g + width/2 [Pa].
     double tension(double gap, double width) const;
     /// Energy of the same, 0 far away, -w in contact [J/m^2].
     double energy(double gap, double width) const;
 };
 
+/// In points, of the zone beside the contact in which a tension acts that stands for range 0.
+inline constexpr double points_without_range = 3;
+
 /// Of a law on these points, `modulus` E* of the pair [Pa]. Without a range sigma_0 is such
-/// that the tension acts over a few points beside the contact. Throws InputError where it acts over
-/// fewer than two.
-Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, double modulus);
+/// that the tension acts over `wide` points beside the contact. Throws InputError where it acts
+/// over fewer than two.
+Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, double modulus,
+                         double wide = points_without_range);
 
 /// By how much the gap differs across the surface of each point. A tension that ends at a gap ends
 /// within a point's surface: counted by whole points the edge of the tension would be as rough as

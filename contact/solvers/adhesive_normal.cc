@@ -29,18 +29,21 @@ constexpr int max_tensions = 3000;
 // state nearby combinations lead nowhere, and the iterates themselves have to find the way.
 constexpr int least_simple = 6, most_simple = 100, most_combined = 12;
 constexpr double combining_helps = .3, lost = 2;
-constexpr int most_varied = 60;          // iterates with widths of their own
-constexpr double widths_settled = 1e-3;  // residual from which on widths stay
+constexpr int most_varied = 300;  // iterates with widths of their own
+// Residuals from which on widths stay, and from which on they change so little that iterates may be
+// combined. Widths of a front that has moved on by a cell since pin it there, by a percent of w.
+constexpr double widths_settled = 1e-5, widths_follow = 1e-3;
 constexpr double roughest_press = 1e-3, of_residual = .05;
 
 /// A crack whose faces attract each other by s at the distances t from the contact has, further
-/// off, the stresses of one that ends at int s t^(1/2) dt/int s t^(-1/2) dt. Of s = s_0 (1 -
-/// (t/rho)^(3/2)) that is this part of int s dt/s_0 (Barenblatt 1962, Adv. Appl. Mech. 7, 55).
-constexpr double to_the_tip = .74;
+/// off, the stresses of one that ends at 2 int s t^(1/2) dt/int s t^(-1/2) dt. Of s = s_0 (1 -
+/// (t/rho)^3)^2 that is this part of int s dt/s_0 (Barenblatt 1962, Adv. Appl. Mech. 7, 55).
+constexpr double to_the_tip = .7;
 
-/// What is set free in a step, over w and the area that attracts, from which on it is bisected, and
-/// how often: an integral by trapezoids knows where a jump was to the step that it is in.
-constexpr double is_a_jump = 2e-3;
+/// What is set free in a step, over w and the area that attracts, from which on it is looked at
+/// closer: whether halves of the step show it to be the error of an integral, or it is bisected,
+/// for an integral by trapezoids knows where a jump was to the step that it is in.
+constexpr double is_seen = 3e-4, like_a_rule = .1;
 constexpr int most_bisections = 9;
 
 }  // namespace
@@ -203,7 +206,7 @@ NormalSolution AdhesiveNormal::settle(const std::vector<double>& height,
             if (now.residual < widths_settled || k > most_varied) widths_stay = true;
             if (now.residual > 10 * widths_settled && k <= most_varied) widths_stay = false;
         }
-        now.tension = way.next(now, widths_stay);
+        now.tension = way.next(now, widths_stay || now.residual < widths_follow);
         for (double& s : now.tension) s = std::clamp(s, 0., attraction_.strength);
     }
     throw NotConverged(fmt::format(
@@ -243,23 +246,35 @@ double AdhesiveNormal::attracted_area(const NormalSolution& s) const {
     return sum;
 }
 
-NormalSolution AdhesiveNormal::advance(const std::vector<double>& height, const NormalControl& from,
-                                       const NormalControl& to, const NormalSolution& before,
-                                       int depth) const {
-    NormalSolution after = settle(height, to, before);
+/// What is set free on the way, by the trapezoidal rule: work less what is stored.
+double AdhesiveNormal::freed(const NormalSolution& before, const NormalSolution& after) const {
     const double work =
         .5 * (before.force + after.force) * (after.indentation - before.indentation);
-    after.released = work - (after.energy - before.energy);
+    return work - (after.energy - before.energy);
+}
+
+NormalSolution AdhesiveNormal::resolve(const std::vector<double>& height, const NormalControl& from,
+                                       const NormalControl& to, const NormalSolution& before,
+                                       NormalSolution after, int depth) const {
+    after.released = freed(before, after);
     const double unit =
         attraction_.work() * std::max(attracted_area(before), attracted_area(after));
-    if (depth == most_bisections || !(std::abs(after.released) > is_a_jump * unit)) return after;
+    if (depth == most_bisections || !(std::abs(after.released) > is_seen * unit)) return after;
     NormalControl half = to;
     half.value = (from.value + to.value) / 2;
-    const NormalSolution between = advance(height, from, half, before, depth + 1);
-    after = advance(height, half, to, between, depth + 1);
-    after.released += between.released;
+    NormalSolution between = settle(height, half, before);
     after.iterations += between.iterations;
-    return after;
+    // Of a smooth change the rule's error is a quarter of that of the whole step.
+    const double halves = freed(before, between) + freed(between, after);
+    if (std::abs(halves - after.released / 4) <= like_a_rule * std::abs(after.released)) {
+        after.released = (4 * halves - after.released) / 3;
+        return after;
+    }
+    const NormalSolution first = resolve(height, from, half, before, std::move(between), depth + 1);
+    NormalSolution last = resolve(height, half, to, first, settle(height, to, first), depth + 1);
+    last.released += first.released;
+    last.iterations += first.iterations;
+    return last;
 }
 
 NormalSolution AdhesiveNormal::follow(const std::vector<double>& height,
@@ -267,8 +282,25 @@ NormalSolution AdhesiveNormal::follow(const std::vector<double>& height,
                                       const NormalSolution& before) const {
     if (!before.attracts()) return settle(height, control, before);
     const bool by_force = control.kind == NormalControl::Kind::force;
-    return advance(height, {control.kind, by_force ? before.force : before.indentation}, control,
-                   before, 0);
+    return resolve(height, {control.kind, by_force ? before.force : before.indentation}, control,
+                   before, settle(height, control, before), 0);
+}
+
+bool AdhesiveNormal::has_other_state(const std::vector<double>& height,
+                                     const NormalControl& control,
+                                     const NormalSolution& now) const {
+    if (!(control.value < 0)) return false;
+    if (control.kind == NormalControl::Kind::force) return true;  // nothing brought them together
+    const auto are_together = [](const NormalSolution& s) {
+        return std::ranges::any_of(s.share, [](double part) { return part > 0; });
+    };
+    try {
+        if (are_together(now)) return !are_together(settle(height, control, {}));
+        const NormalSolution met = settle(height, {control.kind, 0}, {});
+        return are_together(settle(height, control, met));
+    } catch (const NotConverged&) {
+        return true;  // none is known not to be
+    }
 }
 
 }  // namespace tricontact::contact

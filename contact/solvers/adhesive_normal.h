@@ -26,7 +26,11 @@ class AdhesiveNormal {
     /// Throws InputError when a force pulls the surfaces off, NotConverged.
     NormalSolution follow(const std::vector<double>& height, const NormalControl& control,
                           const NormalSolution& before) const;
-    /// The same at once.
+    /// Whether bodies that are held together, or not pressed yet, have another state at this load,
+    /// apart or together. Of loads that press it is not asked.
+    bool has_other_state(const std::vector<double>& height, const NormalControl& control,
+                         const NormalSolution& now) const;
+    /// As follow() at once.
     NormalSolution settle(const std::vector<double>& height, const NormalControl& control,
                           const NormalSolution& before) const;
 
@@ -37,8 +41,10 @@ class AdhesiveNormal {
                Iterate& now) const;
     void update_tension(Iterate& now) const;
     NormalSolution finish(Iterate now) const;
-    NormalSolution advance(const std::vector<double>& height, const NormalControl& from,
-                           const NormalControl& to, const NormalSolution& before, int depth) const;
+    double freed(const NormalSolution& before, const NormalSolution& after) const;
+    NormalSolution resolve(const std::vector<double>& height, const NormalControl& from,
+                           const NormalControl& to, const NormalSolution& before,
+                           NormalSolution after, int depth) const;
     double attracted_area(const NormalSolution& s) const;
 
     std::string name_;

@@ -22,4 +22,13 @@ struct LettingGo {
 std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoints& points,
                                   const std::vector<double>& height, const NormalControl& hardest);
 
+/// The same of a law without a range, in the limit of many points: from zones of tension over 3
+/// and 6 of them. Errors go with the zone's width over the radius to the power 0.9.
+std::optional<LettingGo> pull_off_without_range(const AdhesiveNormal& narrow,
+                                                const AdhesiveNormal& wide,
+                                                const ContactPoints& points,
+                                                const std::vector<double>& height,
+                                                const NormalControl& hardest);
+inline constexpr double narrow_zone = 3, wide_zone = 6;  ///< [points]
+
 }  // namespace tricontact::contact

@@ -88,8 +88,10 @@ void StaggeredSolver::attract(const Attraction& attraction) {
 
 /// From the last state on: another way to the same load may lead to another state.
 void StaggeredSolver::solve_adhesive(const LoadStep& step) {
+    const std::vector<double> height = update_height();
     now_.normal = std::make_shared<const NormalSolution>(
-        adhesive_->follow(update_height(), step.normal, *now_.normal));
+        adhesive_->follow(height, step.normal, *now_.normal));
+    now_.may_differ = adhesive_->has_other_state(height, step.normal, *now_.normal);
     now_.normal_iterations = now_.normal->iterations;
 }
 

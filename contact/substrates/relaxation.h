@@ -6,8 +6,10 @@
 
 namespace tricontact::contact {
 
-/// Shear relaxation of the substrate as a generalised Maxwell solid (Prony series):
-///   G(t) = G_inf [1 + sum g_i exp(-t/tau_i)],  G_inf the shear modulus of the case's `substrate`.
+/// Shear relaxation of a body, usually the substrate, as a generalised Maxwell solid (Prony
+/// series):
+///   G(t) = G_inf [1 + sum g_i exp(-t/tau_i)],  G_inf the shear modulus that the case gives the
+///   body.
 /// One branch is the standard solid: a spring G1 = G_inf parallel to a Maxwell element G2, eta,
 /// with g = G2/G1, tau = eta/G2. Christensen (1982), Theory of Viscoelasticity, ch. 1.
 struct Relaxation {
@@ -18,9 +20,12 @@ struct Relaxation {
     /// What the bulk modulus does: relaxes like the shear modulus (Poisson's ratio is constant in
     /// time), or stays what it is for the relaxed substrate. At nu = 1/2 there is no difference.
     enum class Bulk { proportional, elastic };
+    /// Of two bodies that relax, both by the same g_i and tau_i.
+    enum class Body { substrate, indenter, both };
 
     std::vector<Branch> branches;
     Bulk bulk = Bulk::proportional;
+    Body body = Body::substrate;
 
     /// G(0)/G_inf.
     double instantaneous_ratio() const;

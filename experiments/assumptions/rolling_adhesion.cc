@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
 
 #include "experiments/assumptions/rolling_parts.h"
 #include "theory/adhesion.h"
+#include "theory/adhesive/disc_table.h"
 
 namespace tricontact::experiments {
 
@@ -55,6 +57,37 @@ constexpr Forms dmt{
      "Derjaguin, Muller and Toporov (1975)", "1", adhesion_inputs, radius_change<Adhesion::dmt>},
     "Derjaguin, Muller and Toporov"};
 
+/// What `value` says of the adhesive contact with the layer.
+template <typename Value>
+double on_layer(const RigData& r, const Value& value) {
+    const theory::DiscScale scale{r.E_2, r.R, r.b};
+    constexpr double step = .05;
+    theory::DiscTable contacts(layer_with(r), std::make_shared<contact::Paraboloid>(r.R), scale,
+                               step);
+    return value(contacts.curve(scale, r.E_2 / (1 - r.nu_2 * r.nu_2), r.Dgamma));
+}
+
+constexpr Inputs adhesive_layer_inputs = layer_inputs + Inputs{&Rig::Dgamma};
+constexpr const char* edge_on_layer = "the crack at the edge of the exact contact with the layer";
+
+constexpr Formula layer_pull_off(
+    "layer_pull_off_ratio", "F_off/F_N, layer", "least force of the layer's curve over F_N",
+    edge_on_layer, "1", adhesive_layer_inputs, [](const RigData& r) {
+        return on_layer(r, [](theory::AdhesiveCurve curve) { return curve.pull_off().force; }) /
+               r.F_N;
+    });
+constexpr Formula layer_radius(
+    "layer_adhesive_radius_change", "a adhesive/a - 1, layer", "both under F_N on the layer",
+    edge_on_layer, "1", adhesive_layer_inputs, [](const RigData& r) {
+        const contact::NormalControl pressed{contact::NormalControl::Kind::force, r.F_N};
+        return on_layer(r,
+                        [&](theory::AdhesiveCurve curve) {
+                            return curve.follow({}, pressed).state.radius;
+                        }) /
+                   layer_of(r).contact_radius -
+               1;
+    });
+
 }  // namespace
 
 Assumption no_adhesion(const Rig& rig) {
@@ -74,6 +107,13 @@ Assumption no_adhesion(const Rig& rig) {
         forms.name, significant(a.background.front().result.value, 2),
         percent_text(a.criteria.back().calculation.result.value, 2),
         quantity(a.deciding_value() * rig.F_N, "N", 2));
+    if (!is_short_ranged || !rig.b.is_known() || !roller_is_rigid(rig)) return a;
+    for (const Formula* formula : {&layer_pull_off, &layer_radius})
+        decide(a, rig, *formula, at_most, accepted_difference, accepted_reason);
+    a.consequence +=
+        fmt::format(" On the layer it widens the contact by {}; pulling it off takes {}.",
+                    percent_text(a.find(layer_radius.name)->result.value, 2),
+                    quantity(a.find(layer_pull_off.name)->result.value * rig.F_N, "N", 2));
     return a;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <variant>
 
+#include "experiments/identification/adhesive_values.h"
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_tables.h"
 #include "experiments/identification/layer_contact.h"
@@ -76,6 +77,12 @@ TableModel table_model(const std::string& model, const IdentificationInput& inpu
                        const IdentificationInput::Table& table,
                        const std::shared_ptr<PressTable>& presses_of,
                        const contact::ModelRunner& runner) {
+    if (input.rig.adhesion)
+        return [&table,
+                discs = std::make_shared<RigDiscs>(
+                    input.rig, io::measurement_model(model).is_layer)](const IdentifiedRig& rig) {
+            return adhesive_values(table, rig, table.given, *discs);
+        };
     const bool is_mapped =
         io::measurement_model(model).kind().is_read() && input.is_free("substrate.poisson");
     const bool is_sheared = table.measurement == Measurement::static_shift;
@@ -191,9 +198,8 @@ IdentificationTask task_of(const IdentificationInput& input, const std::string& 
                             .confidence = input.confidence};
     for (const auto& table : input.tables)
         task.tables.push_back({name_of(table), table.observed, table.standard_errors,
-                               table.has_free_origin(), order_of(table),
-                               table.loops.relative_errors, table.loops.variance_parts,
-                               n_of_loop * table.loops.loops.size()});
+                               table.has_free_origin(), order_of(table), table.row_errors.relative,
+                               table.row_errors.parts, n_of_loop * table.loops.loops.size()});
     if (input.find(Measurement::friction_loop))
         task.inner_slopes = [&input, parameters = task.parameters](const auto& values) {
             const IdentifiedRig rig = rig_with(input, parameters, values);

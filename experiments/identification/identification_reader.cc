@@ -8,6 +8,8 @@
 #include <set>
 
 #include "contact/base/error.h"
+#include "contact/relaxing_case.h"
+#include "experiments/identification/adhesion_parameter.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/interface_parameters.h"
 #include "experiments/identification/law_parameters.h"
@@ -42,8 +44,9 @@ bool is_section_of_models(std::string_view section) {
 /// Keys of a case that describe a rig; loads along the surface and rolling are not in what was
 /// measured.
 bool describes_rig(std::string_view path) {
-    constexpr std::array<std::string_view, 7> sections{
-        "indenter", "substrate", "lower_layer", "ground", "friction", "interface", "contact"};
+    constexpr std::array<std::string_view, 8> sections{"indenter", "substrate", "lower_layer",
+                                                       "ground",   "friction",  "interface",
+                                                       "contact",  "adhesion"};
     constexpr std::array<std::string_view, 4> others{"title", "load.normal_force", "load.press",
                                                      "load.press_steps"};
     const auto top = path.substr(0, path.find('.'));
@@ -70,7 +73,7 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
                      const io::Document& document) {
     io::Document rig = document;
     std::erase_if(rig.entries, [&](const io::Entry& entry) {
-        const bool is_guessed = entry.path == "substrate.young" ||
+        const bool is_guessed = entry.path == "substrate.young" || entry.path == work_key ||
                                 (is_of_law(entry.path) && entry.path != exponent_key);
         if (!input.laws.empty() && entry.path.starts_with("friction.")) return true;
         return (is_guessed && std::ranges::count(find, entry.path)) || !describes_rig(entry.path);
@@ -137,6 +140,7 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
             guess(key, io::shortest(guessed_stiffness(softest_stiffness(
                            input, key, radius, young / guessed_plane_share, normal_force))) +
                            " Pa/m");
+    if (is_free(work_key)) guess(work_key, io::shortest(guessed_work(input, radius)) + " J/m2");
     if (is_free("substrate.poisson") && !rig.find("substrate.poisson"))
         guess("substrate.poisson", guessed_poisson);
     const double ratio = guessed_friction(input, normal_force);
@@ -254,13 +258,18 @@ Input read_identification(const std::string& path, const std::vector<std::string
     read("measurement.models", &input.models);
     if (document.find("measurement.laws")) read("measurement.laws", &input.laws);
     read("measurement.find", &find);
-    for (Table& table : input.tables)
+    const bool is_adhesive =
+        std::ranges::count(find, work_key) > 0 || document.find_section("adhesion");
+    for (Table& table : input.tables) {
         table.has_free_zero = table.measurement == Measurement::force_indentation &&
                               std::ranges::count(find, zero_depth_key) > 0;
+        table.is_adhesive = is_adhesive;
+    }
     read("measurement.confidence", &input.confidence);
     if (const io::Entry* title = document.find("title"))
         io::read_field(*io::find_key("title"), *title, &input.title);
     check_find(input, find, document);
+    check_adhesive_tables(input, find, document);
     check_loop_tables(input, find, document);
     check_laws(input, find, document);
     check_interface(input, find, document);
@@ -274,10 +283,7 @@ Input read_identification(const std::string& path, const std::vector<std::string
     check_loads(input, document);
     input.rig = rig_of(input, find, document);
     input.rig.require_no_bulk_stress("identified values");
-    if (document.find_section("adhesion"))
-        io::refuse(document, "adhesion.work",
-                   "identified values presume surfaces that do not attract each other",
-                   "leave out [adhesion]; rig.work_of_adhesion tells how much it would matter");
+    contact::require_elastic_indenter(input.rig, "identified values");
     input.rig.title = input.title;
     input.unread = unread_keys(document, input.find(Measurement::friction_loop) != nullptr);
     if (std::ranges::count(find, "substrate.young") > 0 && io::states_unrelaxed(document))

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/case.h"
+#include "experiments/identification/adhesion/adhesive_rows.h"
 #include "experiments/identification/estimation/free_parameter.h"
 #include "experiments/identification/loops/measured_loop.h"
 #include "io/case/case_keys.h"
@@ -33,6 +34,18 @@ struct IdentificationInput {
         double standard_error = 0;  ///< [SI]
     };
 
+    /// Errors of a table whose given values have errors as well, which count by the slope of the
+    /// curve, see weigh_rows().
+    struct RowErrors {
+        /// Stated standard errors of what is observed and of what is given [SI], both or none.
+        std::vector<double> observed, given;
+        /// Of each row over that of the first one, where none are stated; empty: not known yet.
+        std::vector<double> relative;
+        /// What both bring to the rows' variances, over all of it, two columns for each series of
+        /// rows.
+        std::vector<std::vector<double>> parts;
+    };
+
     struct Table {
         Measurement measurement = Measurement::static_shift;
         std::string data_file;                ///< as it is opened
@@ -41,11 +54,14 @@ struct IdentificationInput {
         std::string reading;                  ///< what of it was taken; empty: all its columns
         double held = 0;                      ///< of a history: indentation [m] or force [N]
         bool has_free_zero = false;           ///< depths count from anywhere, see zero_depth_key
+        bool is_adhesive = false;             ///< surfaces attract each other
         std::vector<double> given;            ///< [SI] F_T, d, F_N, t, W, F_N or U of each row
         std::vector<double> observed;         ///< [SI] U, F_N, a, F_N, d, U, F_lim or F_T
         std::vector<double> standard_errors;  ///< [SI] of the observed; empty: not stated
         std::vector<double> normal_forces;    ///< [N] of static_shift; empty: the rig's
         MeasuredLoops loops = {};             ///< of friction_loop
+        std::vector<AdhesiveWay> ways = {};   ///< of rows of surfaces that attract each other
+        RowErrors row_errors = {};
 
         /// Over the time.
         bool is_history() const {
@@ -136,8 +152,14 @@ IdentificationInput read_identification(const std::string& path,
 void read_measured_table(IdentificationInput::Table& table, std::size_t least_rows);
 
 /// Depth at which a contact of this table begins, from a straight line through F^(2/3) over the
-/// depth where the force is more than a quarter of its largest: Hertz' contact has it.
+/// depth where the force is more than a quarter of its largest: Hertz' contact has it. What pulls
+/// is added to the force.
 double zero_depth_guess(const IdentificationInput::Table& table);
+
+/// Of a table of surfaces that attract each other: what they pull at most by Derjaguin, Muller and
+/// Toporov, by the largest tension that was measured [N], 0 without one. With it forces go as
+/// Hertz' do, roughly.
+double adhesive_pull(const IdentificationInput::Table& table);
 
 /// The parameters that measurement.find names. `rig`: the case, with guesses. Throws
 /// contact::InputError without a place.

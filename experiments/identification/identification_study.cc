@@ -12,7 +12,7 @@
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/interface_parameters.h"
 #include "experiments/identification/law_parameters.h"
-#include "experiments/identification/loop_weights.h"
+#include "experiments/identification/row_weights.h"
 #include "io/case/measurement_models.h"
 #include "report/format.h"
 
@@ -42,7 +42,7 @@ std::vector<double> curve_points_of(const IdentificationInput::Table& table) {
     if (!table.loops.loops.empty()) return table.given;
     if (!table.normal_forces.empty()) return table.given;  // a curve under each load: by the rows
     const auto [least, largest] = std::ranges::minmax(table.given);
-    if (table.measurement == Measurement::rolling_shift)
+    if (table.measurement == Measurement::rolling_shift || table.is_adhesive)
         return equal_steps(least, largest, n_curve_points);
     if (!table.is_history()) return equal_steps(largest / n_curve_points, largest, n_curve_points);
     auto points = equal_steps(std::log(least), std::log(largest), n_curve_points);
@@ -244,6 +244,8 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Identificatio
     if (rig.interface.tangential_stiffness)
         add(tangential_stiffness_key, "k_t",
             report::given_quantity(*rig.interface.tangential_stiffness, "Pa/m"));
+    if (input.rig.adhesion)
+        add("adhesion.work", "w", report::given_quantity(input.rig.adhesion->work, "J/m2"));
     if (!input.find(Measurement::static_shift) && !input.find(Measurement::rolling_shift))
         return settings;
     const auto* shifts = input.find(Measurement::static_shift);  // all of them state loads or none
@@ -266,11 +268,11 @@ IdentificationStudy identification_study(const IdentificationInput& said, bool d
     study.input = said;
     study.laws = compared_laws(said, runner, say);
     if (!said.laws.empty()) study.input = study.laws->laws[study.laws->best].input;
-    weigh_loop_rows(study.input, runner);
+    weigh_rows(study.input, runner);
     const IdentificationInput& input = study.input;
     if (std::ranges::any_of(input.parameters,
-                            [](const FreeParameter& p) { return is_stiffness(p.key); })) {
-        say("springs of the interface");
+                            [](const FreeParameter& p) { return is_of_interface(p.key); })) {
+        say("interface");
         const std::string model = model_of_laws(input);
         IdentificationInput of_model = input;
         of_model.parameters = parameters_of(input, model);

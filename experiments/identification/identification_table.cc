@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "experiments/identification/adhesion_parameter.h"
 #include "experiments/identification/identification_reader.h"
 #include "experiments/identification/loop_table.h"
 #include "io/keys/input_file.h"
@@ -111,7 +112,7 @@ void read_force_curve(IdentificationInput::Table& measured, const std::string& t
     if (!measured.has_free_zero)
         io::fail(name, "", "the heights of a force curve count from anywhere",
                  "add \"zero_depth\" to measurement.find");
-    io::ForceCurve curve = io::force_curve(text, name, most_rows);
+    io::ForceCurve curve = io::force_curve(text, name, most_rows, measured.is_adhesive);
     if (curve.depth.size() < least_rows)
         io::fail(name, "", few_rows(curve.depth.size(), least_rows), "export the whole approach");
     if (!(std::ranges::max(curve.force) > 0))
@@ -119,6 +120,10 @@ void read_force_curve(IdentificationInput::Table& measured, const std::string& t
     measured.given = std::move(curve.depth);
     measured.observed = std::move(curve.force);
     measured.reading = std::move(curve.reading);
+    keep_adhesive_rows(measured);
+    if (measured.given.size() < least_rows)
+        io::fail(name, "", few_rows(measured.given.size(), least_rows),
+                 "export all of approach and retraction; rows beyond the jumps are left out");
 }
 
 }  // namespace
@@ -142,7 +147,12 @@ void read_measured_table(IdentificationInput::Table& measured, std::size_t least
     // Shifts may be those under several loads.
     const bool is_shift = measured.measurement == Measurement::static_shift;
     const std::string_view load_column = is_shift ? "normal_force" : given.name;
-    table.check_names({given.name, observed.name, error_column, load_column});
+    // Depths of a curve that is steep here and flat there have errors that are worth stating.
+    const bool is_pulled =
+        measured.is_adhesive && measured.measurement == Measurement::force_indentation;
+    const std::string given_error_column = std::string(given.name) + "_error";
+    table.check_names({given.name, observed.name, error_column, load_column,
+                       is_pulled ? std::string_view(given_error_column) : load_column});
     if (is_shift && table.has(load_column)) {
         measured.normal_forces = table.values(load_column, io::Dimension::force);
         table.check_positive(load_column);
@@ -150,15 +160,26 @@ void read_measured_table(IdentificationInput::Table& measured, std::size_t least
     measured.given = table.values(given.name, given.dimension);
     measured.observed = table.values(observed.name, observed.dimension);
     const bool is_rolled = measured.measurement == Measurement::rolling_shift;
-    if (measured.measurement == Measurement::force_indentation && !measured.has_free_zero)
+    const bool may_pull = measured.is_adhesive;
+    if (measured.measurement == Measurement::force_indentation && !measured.has_free_zero &&
+        !may_pull)
         check_touches(table, given.name, observed.name);
-    if (!is_rolled && !measured.has_free_zero) table.check_positive(given.name);
+    if (!is_rolled && !measured.has_free_zero && !may_pull) table.check_positive(given.name);
     // A shift may be lost in noise, and so may forces before contact; a force or radius that is not
     // there was not measured.
-    if (!is_rolled && !measured.has_free_zero && !is_shift) table.check_positive(observed.name);
+    if (!is_rolled && !measured.has_free_zero && !is_shift && !is_pulled)
+        table.check_positive(observed.name);
     if (table.has(error_column)) {
         measured.standard_errors = table.values(error_column, observed.dimension);
         table.check_positive(error_column);
+    }
+    if (is_pulled && table.has(given_error_column)) {
+        if (measured.standard_errors.empty())
+            table.refuse_header(given_error_column + " counts beside " + error_column +
+                                ", which is missing");
+        measured.row_errors.observed = measured.standard_errors;
+        measured.row_errors.given = table.values(given_error_column, given.dimension);
+        table.check_positive(given_error_column);
     }
     if (table.n_rows() < least_rows) table.refuse_header(few_rows(table.n_rows(), least_rows));
     if (is_rolled && std::ranges::max(measured.given) == std::ranges::min(measured.given))
@@ -167,6 +188,13 @@ void read_measured_table(IdentificationInput::Table& measured, std::size_t least
     if (!is_rolled && !(std::ranges::max(measured.observed) > 0))
         table.refuse_value(0, observed.name, "no value is positive",
                            "check the sign: the shift is that in the direction of the force");
+    keep_adhesive_rows(measured);
+    if (measured.given.size() < least_rows)
+        table.refuse_header(few_rows(measured.given.size(), least_rows) +
+                            "; rows beyond the jumps are left out");
+    if (may_pull && !(std::ranges::max(is_pulled ? measured.observed : measured.given) > 0))
+        table.refuse_value(0, "normal_force", "no row presses the bodies together",
+                           "forces that press are positive: check their sign");
 }
 
 }  // namespace tricontact::experiments

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contact/base/special_values.h"
+#include "experiments/identification/adhesion_parameter.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/interface_parameters.h"
 #include "experiments/identification/law_comparison.h"
@@ -11,10 +12,14 @@ namespace tricontact::experiments {
 
 namespace {
 
-IdentificationInput without_springs(IdentificationInput input,
-                                    const std::vector<std::string>& rigid) {
-    for (const std::string& key : rigid) {
+/// Springs that are rigid, and surfaces that do not attract each other.
+IdentificationInput without(IdentificationInput input, const std::vector<std::string>& keys) {
+    for (const std::string& key : keys) {
         std::erase_if(input.parameters, [&](const FreeParameter& p) { return p.key == key; });
+        if (key == work_key) {
+            input.rig.adhesion.reset();
+            continue;
+        }
         (key == normal_stiffness_key ? input.rig.interface.normal_stiffness
                                      : input.rig.interface.tangential_stiffness)
             .reset();
@@ -26,8 +31,8 @@ InterfaceFit fit_of(IdentificationInput input, const contact::ModelRunner& runne
                     const std::string& model) {
     InterfaceFit fit;
     for (const FreeParameter& p : input.parameters)
-        if (is_stiffness(p.key)) fit.name += (fit.name.empty() ? "" : ", ") + p.symbol;
-    if (fit.name.empty()) fit.name = "rigid";
+        if (is_of_interface(p.key)) fit.name += (fit.name.empty() ? "" : ", ") + p.symbol;
+    if (fit.name.empty()) fit.name = input.tables.front().is_adhesive ? "none" : "rigid";
     fit.input = std::move(input);
     fit.input.shifts_by_theory = true;
     IdentificationTask task = task_of(fit.input, model);
@@ -39,18 +44,22 @@ InterfaceFit fit_of(IdentificationInput input, const contact::ModelRunner& runne
 
 }  // namespace
 
+bool is_of_interface(std::string_view key) {
+    return is_stiffness(key) || key == work_key;
+}
+
 InterfaceComparison compare_interfaces(const IdentificationInput& input,
                                        const contact::ModelRunner& runner,
                                        const std::string& model) {
     std::vector<std::string> keys;
     for (const FreeParameter& p : input.parameters)
-        if (is_stiffness(p.key)) keys.push_back(p.key);
+        if (is_of_interface(p.key)) keys.push_back(p.key);
     std::vector<std::vector<std::string>> rigid{keys};
     if (keys.size() == 2) rigid.insert(rigid.end(), {{keys[1]}, {keys[0]}});
     rigid.emplace_back();
-    InterfaceComparison comparison;
+    InterfaceComparison comparison{.is_adhesion = input.rig.adhesion.has_value()};
     for (const auto& held : rigid)
-        comparison.fits.push_back(fit_of(without_springs(input, held), runner, model));
+        comparison.fits.push_back(fit_of(without(input, held), runner, model));
     const InterfaceFit& all = comparison.fits.back();
     double least = contact::infinity;
     for (std::size_t i = 0; i < comparison.fits.size(); ++i)

@@ -53,8 +53,8 @@ void read_loop_table(IdentificationInput::Table& measured, const std::string& te
     if (!table.has("shift_error")) return;
     const auto shift_errors = table.values("shift_error", length);
     table.check_positive("shift_error");
-    measured.loops.force_errors = measured.standard_errors;
-    measured.loops.shift_errors = shift_errors;
+    measured.row_errors.observed = measured.standard_errors;
+    measured.row_errors.given = shift_errors;
 }
 
 }  // namespace tricontact::experiments

@@ -26,12 +26,11 @@ LoopRows rows_of(const Table& table, const MeasuredLoop& loop) {
                               : std::span(values).subspan(loop.first, loop.n);
     };
     const auto begin = table.loops.rises.begin() + static_cast<std::ptrdiff_t>(loop.first);
-    return {
-        loop,
-        part(table.given),
-        part(table.observed),
-        part(table.standard_errors.empty() ? table.loops.relative_errors : table.standard_errors),
-        {begin, begin + static_cast<std::ptrdiff_t>(loop.n)}};
+    return {loop,
+            part(table.given),
+            part(table.observed),
+            part(table.standard_errors.empty() ? table.row_errors.relative : table.standard_errors),
+            {begin, begin + static_cast<std::ptrdiff_t>(loop.n)}};
 }
 
 double load_of(const MeasuredLoop& loop, const contact::Case& rig) {

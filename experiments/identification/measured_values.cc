@@ -9,6 +9,7 @@
 #include "comparisons/quantities/quantities.h"
 #include "contact/larger_grids.h"
 #include "contact/load_path.h"
+#include "experiments/identification/adhesive_values.h"
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/layer_contact.h"
@@ -253,9 +254,9 @@ std::vector<double> from_zero_depth(
     const IdentificationInput::Table& table, const IdentifiedRig& rig,
     const std::vector<double>& given,
     const std::function<std::vector<double>(const std::vector<double>&)>& values) {
-    if (!table.has_free_zero) return values(given);
+    const double zero = table.has_free_zero ? rig.zero_depths.at(table.place) : 0;
+    if (!table.has_free_zero && std::ranges::min(given) > 0) return values(given);
     // Forces go with the depth's power 3/2 at least: below this of the deepest there is none.
-    const double zero = rig.zero_depths.at(table.place);
     constexpr double least = 1e-6;
     const double deepest = std::ranges::max(given) - zero;
     if (!(deepest > 0)) throw contact::InputError("zero_depth: no row is in contact");
@@ -285,6 +286,10 @@ std::vector<double> measured_values(const std::string& model,
         return loop_forces(table, identified, starts);
     }
     const Case& rig = identified.as_case;
+    if (rig.adhesion)
+        return adhesive_values(
+            table, identified, given,
+            RigDiscs(rig, io::measurement_model(model).is_layer, RigDiscs::usual_step / 2));
     const Case slow = relaxed(rig);
     if (table.measurement == Measurement::rolling_shift)
         return rolled_shifts(

@@ -69,7 +69,7 @@ std::vector<double> values_of_presses(const IdentificationInput::Table& table,
                                       const std::vector<Pressed>& all);
 
 /// Values of a table, by the rows in contact: depths count from its zero_depth, and where there is
-/// no contact there is no force.
+/// no contact there is no force, nor a radius without a force.
 std::vector<double> from_zero_depth(
     const IdentificationInput::Table& table, const IdentifiedRig& rig,
     const std::vector<double>& given,

@@ -33,7 +33,8 @@ double hertz_mean_pressure(double young, double radius, double normal_force) {
 
 double guessed_young(const Table& table, double radius, double normal_force) {
     const auto row = std::ranges::max_element(table.observed) - table.observed.begin();
-    const double x = table.given[row] - zero_of(table), y = table.observed[row];
+    const double x = table.given[row] - zero_of(table),
+                 y = table.observed[row] + adhesive_pull(table);
     constexpr double shear_over_plane = 2. / 3;    // G*/E*
     double cube = 3. / 4 * radius * normal_force;  // a^3 E*
     const auto of_depth = [&](double force, double depth) {
@@ -43,7 +44,7 @@ double guessed_young(const Table& table, double radius, double normal_force) {
         case Measurement::force_indentation:
             return of_depth(y, x);
         case Measurement::contact_radius:
-            return guessed_plane_share * 3. / 4 * radius * x / (y * y * y);
+            return guessed_plane_share * 3. / 4 * radius * x / std::pow(table.observed[row], 3);
         case Measurement::force_relaxation:
             return of_depth(std::ranges::min(table.observed), table.held);
         case Measurement::indentation_creep:

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "contact/base/error.h"
+#include "experiments/identification/adhesion_parameter.h"
 #include "experiments/identification/identification_reader.h"
 #include "experiments/identification/interface_parameters.h"
 #include "experiments/identification/law_parameters.h"
@@ -102,13 +103,23 @@ void add_terms(const contact::Relaxation& relaxation, const std::string& key,
 
 }  // namespace
 
+double adhesive_pull(const IdentificationInput::Table& table) {
+    if (!table.is_adhesive) return 0;
+    const bool is_depth = table.measurement == Measurement::force_indentation;
+    const double least = std::ranges::min(is_depth ? table.observed : table.given);
+    constexpr double over_pull_off = 4. / 3;
+    return over_pull_off * std::max(0., -least);
+}
+
 double zero_depth_guess(const IdentificationInput::Table& table) {
-    const double largest = std::ranges::max(table.observed);
+    const double pull = adhesive_pull(table);
+    const double largest = std::ranges::max(table.observed) + pull;
     const double deepest = std::ranges::max(table.given), least = std::ranges::min(table.given);
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (std::size_t i = 0; i < table.given.size(); ++i) {
-        if (!(table.observed[i] > .25 * largest)) continue;
-        const double root = std::cbrt(table.observed[i] / largest);
+        const double force = table.observed[i] + pull;
+        if (!(force > .25 * largest)) continue;
+        const double root = std::cbrt(force / largest);
         const double d = (table.given[i] - least) / (deepest - least), f = root * root;
         n += 1;
         x += d;
@@ -152,6 +163,8 @@ std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
                 throw contact::InputError(
                     "substrate.thickness is missing; give a value from which the search starts");
             parameters.push_back(length(key, "thickness_m", "b", *rig.layer.thickness));
+        } else if (key == work_key) {
+            parameters.push_back(work_parameter(input));
         } else if (is_stiffness(key)) {
             parameters.push_back(stiffness_parameter(input, key));
         } else if (key == rig_stiffness_key) {

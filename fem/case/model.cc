@@ -160,10 +160,15 @@ std::unique_ptr<contact::Model> make_strained(const Case& c, const std::optional
 }
 
 /// Bodies of files: their meshes say how fine, and how far.
-std::unique_ptr<contact::Model> make_meshed(const Case& c, const LayerCondenser& condenser) {
+std::unique_ptr<contact::Model> make_meshed(const Case& c, const LayerCondenser& condenser,
+                                            const Say& say) {
     MeshedContact bodies = make_meshed_contact(c, condenser);
+    const auto of_elastic = [&](const Case& elastic) -> std::shared_ptr<const contact::Compliance> {
+        return make_meshed_contact(elastic, LayerCondenser(elastic, say)).compliance;
+    };
     return std::make_unique<contact::SurfaceModel>(
-        contact::models::fem, *contact::make_substrate(c, false, std::move(bodies.compliance), {}),
+        contact::models::fem,
+        *contact::make_substrate(c, false, std::move(bodies.compliance), of_elastic),
         std::move(bodies.indenter), c.friction.law(), c.of<Settings>().tolerance, c.contact);
 }
 
@@ -184,7 +189,7 @@ meshes::HexMesh make_mesh(const Case& c, const Say& say) {
 std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say, int n_threads) {
     require_layer(c);
     LayerCondenser condenser(c, say);
-    if (c.indenter.body && c.indenter.body->mesh) return make_meshed(c, condenser);
+    if (c.indenter.body && c.indenter.body->mesh) return make_meshed(c, condenser, say);
     std::optional<Plan> own;
     if (!c.of<Settings>().mesh) own = plan(c, condenser);
     if (c.law != Case::Law::linear) return make_strained(c, own, say);

@@ -57,9 +57,6 @@ void check_rigid_substrate(const Case& c, const Document& document) {
         if (document.find(key))
             refuse(document, key, "a rigid substrate has neither material nor thickness",
                    "omit it, or omit substrate.rigid");
-    if (document.find_section("substrate.relaxation"))
-        refuse(document, "substrate.rigid", "a rigid substrate does not relax",
-               "omit it, or omit [substrate.relaxation]");
     if (c.indenter.shape == Case::Shape::roller)
         refuse(document, "substrate.rigid",
                "the ends of a roller on a rigid plane are not modelled",

@@ -124,9 +124,6 @@ void check_fem_body(const Case& c, const Document& document) {
                     "leave it out, or set substrate.material to \"linear\"");
     const bool in_file = c.indenter.body->form == ElasticBody::Form::mesh;
     if (in_file) check_meshes(c, document);
-    if (c.relaxation && in_file)
-        refuse_body("fem takes the body of a file on a substrate that does not relax",
-                    "leave it out, or omit [substrate.relaxation]");
     if (c.of<fem::Settings>().mesh && !in_file)
         refuse(document, "fem.mesh",
                "the nodes of a mesh file do not match those of the indenter's body",

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <utility>
 
+#include "contact/load_path.h"
 #include "contact/relaxing_case.h"
 #include "io/case/case_checks.h"
 #include "io/case/case_input.h"
@@ -37,7 +38,7 @@ bool is_unrelaxed(const Case& c) {
 }
 
 Series of_moduli(const Case& c, Series series, const Document& document) {
-    const double given = c.substrate.shear_modulus(), sum = sum_of(series.moduli);
+    const double given = contact::relaxing_material(c).shear_modulus(), sum = sum_of(series.moduli);
     if (!is_unrelaxed(c)) return series;
     if (!(sum < given))
         refuse(document, series.key,
@@ -52,7 +53,8 @@ Series of_moduli(const Case& c, Series series, const Document& document) {
 Series of_relative(const Case& c, const Document& document) {
     const Input& input = c.of<Input>();
     Series series{prefix + "relative_moduli", input.relative_moduli, input.times};
-    const double sum = sum_of(input.relative_moduli), given = c.substrate.shear_modulus();
+    const double sum = sum_of(input.relative_moduli),
+                 given = contact::relaxing_material(c).shear_modulus();
     if (!(sum < 1))
         refuse(document, series.key,
                "the sum is " + rounded(sum) + ": nothing would be left at rest",
@@ -66,7 +68,7 @@ Series of_relative(const Case& c, const Document& document) {
 // The shape of the table, ratios over its relaxed modulus, goes with the case's own modulus.
 Series of_fit(const Case& c, Series series, const Relaxation& fit) {
     series.relaxed_share = 1 / fit.instantaneous_ratio();
-    const double given = c.substrate.shear_modulus(),
+    const double given = contact::relaxing_material(c).shear_modulus(),
                  relaxed = is_unrelaxed(c) ? given * series.relaxed_share : given;
     for (const auto& [ratio, time] : fit.branches) {
         series.moduli.push_back(ratio * relaxed);
@@ -91,7 +93,7 @@ Series of_test(Case& c, const Document& document) {
     auto& fit = c.of<RelaxationFits>().test;
     told_at(document, series.key, [&] { fit = contact::fit_prony(read_relaxation_test(table)); });
     if (fit->table.is_young && c.relaxation->bulk == Relaxation::Bulk::elastic &&
-        c.substrate.poisson < .5)
+        contact::what_stays(c) == contact::Unrelaxed::bulk)
         refuse(document, prefix + "bulk",
                "E(t) of " + fit->table.name +
                    " relaxes otherwise than G(t) where the bulk modulus does not relax",
@@ -116,12 +118,11 @@ Series series_of(Case& c, const Document& document) {
     return of_moduli(c, {prefix + "moduli", input.moduli, input.times}, document);
 }
 
-// The relaxed substrate of one that was given as it is at once.
+// The relaxed bodies of such as were given as they are at once.
 void take_relaxed(Case& c, double share) {
-    if (c.relaxation->bulk == Relaxation::Bulk::proportional)
-        c.substrate.young *= share;
-    else
-        c.substrate = c.substrate.with_shear_ratio(share);
+    Case relaxed = contact::with_relaxing_ratio(c, share);
+    c.substrate = relaxed.substrate;
+    c.indenter.material = relaxed.indenter.material;
 }
 
 void check_lists(const Series& series, const Document& document) {
@@ -151,13 +152,14 @@ void check_branches(const Case& c, const std::string& key, const Document& docum
             refuse(document, key,
                    "the modulus " + rounded(c.of<Input>().moduli[i]) +
                        " Pa is out of range or out of proportion to the relaxed shear modulus " +
-                       rounded(c.substrate.shear_modulus()) + " Pa",
+                       rounded(contact::relaxing_material(c).shear_modulus()) + " Pa",
                    "check the units of the moduli and of substrate.young");
     }
 }
 
 Relaxation::Branch branch(const Case& c, std::size_t i) {
-    return {c.of<Input>().moduli[i] / c.substrate.shear_modulus(), c.of<Input>().times[i]};
+    return {c.of<Input>().moduli[i] / contact::relaxing_material(c).shear_modulus(),
+            c.of<Input>().times[i]};
 }
 
 void refuse_for_mdr(const std::string& model, contact::Unrelaxed stays, bool ground,
@@ -179,10 +181,26 @@ void refuse_for_mdr(const std::string& model, contact::Unrelaxed stays, bool gro
                 "1e-3 of the compliance or more is then the indenter's, which does not relax" + but,
                 "leave the model out, or omit young and poisson of the indenter to take it as "
                 "rigid");
+        case contact::Unrelaxed::substrate:
+            refuse(document, prefix + "body", "the substrate does not relax" + but,
+                   "leave the model out, or take substrate.rigid = true");
         case contact::Unrelaxed::interface:
             refuse(document, "interface", "the springs of the interface do not relax" + but,
                    "leave the model out");
     }
+}
+
+void check_relaxing_body(const Case& c, const Document& document) {
+    const std::string key = prefix + "body";
+    if (c.has_rigid_substrate && contact::substrate_relaxes(c))
+        refuse(document, "substrate.rigid", "a rigid substrate does not relax",
+               "omit it, or take substrate.relaxation.body = \"indenter\"");
+    if (!contact::indenter_relaxes(c)) return;
+    if (!c.indenter.material)
+        refuse(document, key, "the indenter is rigid", "give indenter.young and indenter.poisson");
+    if (c.rolling || c.tractive_rolling || contact::path_reach(c, c.indenter.radius)[0] > 0)
+        refuse(document, key, "an indenter that relaxes stays where it is pressed",
+               "leave out what rolls it, or take body = \"substrate\"");
 }
 
 bool says(const Input& input, const Case& c) {
@@ -199,6 +217,7 @@ bool says(const Input& input, const Case& c) {
 
 void resolve_relaxation(Case& c, const Document& document) {
     if (!c.relaxation) return;
+    check_relaxing_body(c, document);
     Series series = series_of(c, document);
     check_lists(series, document);
     if (is_unrelaxed(c)) take_relaxed(c, series.relaxed_share);
@@ -212,7 +231,7 @@ void state_relaxation(Case& c) {
     if (!c.relaxation || says(c.of<Input>(), c)) return;
     c.of<Input>() = {};
     for (const auto& [ratio, time] : c.relaxation->branches) {
-        c.of<Input>().moduli.push_back(ratio * c.substrate.shear_modulus());
+        c.of<Input>().moduli.push_back(ratio * contact::relaxing_material(c).shear_modulus());
         c.of<Input>().times.push_back(time);
     }
 }

@@ -116,9 +116,10 @@ std::vector<Key> measurement_keys() {
                         {"interface.tangential_stiffness"},
                         {"rig.pivot_height"},
                         {"rig.tangential_stiffness"},
+                        {"adhesion.work"},
                         {"zero_depth"}},
                        R"(["substrate.young"])",
-                       "what follows from the tables; of E, mu, strengths and the pivot the case "
+                       "what follows from the tables; of E, mu, strengths, w and the pivot the case "
                        "holds no values that are used, of others they are where the search starts; "
                        "zero_depth: the depth at which force_indentation begins to touch",
                        {.required = true})),

@@ -12,6 +12,7 @@ using Layer = Case::Layer;
 using Lower = LayersInput::Lower;
 using Input = RelaxationInput;
 using Bulk = Relaxation::Bulk;
+using Body = Relaxation::Body;
 
 /// How a relaxing case says its Prony series.
 template <auto... members>
@@ -171,7 +172,15 @@ std::vector<CaseKey> relaxation_keys() {
                     R"("proportional")",
                     "the bulk modulus relaxes like the shear modulus, or not at all",
                     {.default_value = R"("proportional")"}),
-         at<&Case::relaxation, &Relaxation::bulk>}};
+         at<&Case::relaxation, &Relaxation::bulk>},
+        {choice_key("substrate.relaxation.body",
+                    {choice("substrate", Body::substrate), choice("indenter", Body::indenter),
+                     choice("both", Body::both)},
+                    R"("substrate")",
+                    "what relaxes: the substrate, the indenter of this young and poisson, or both "
+                    "by the same terms; an indenter that relaxes does not roll",
+                    {.default_value = R"("substrate")"}),
+         at<&Case::relaxation, &Relaxation::body>}};
 }
 
 }  // namespace tricontact::io

@@ -96,21 +96,28 @@ Curve read_curve(std::string_view text, const std::string& name) {
     return curve;
 }
 
+/// The only one of its name; null without one.
+const Segment* segment_called(std::string_view word, const Curve& curve, const std::string& name) {
+    const Segment* found = nullptr;
+    for (const Segment& segment : curve.segments) {
+        if (segment.name != word) continue;
+        if (found)
+            fail(name + ':' + std::to_string(segment.header_line), "",
+                 "a second segment \"" + std::string(word) + "\" begins here",
+                 "keep the one that is to be evaluated: curves are evaluated one by one");
+        found = &segment;
+    }
+    return found;
+}
+
 /// The one that goes towards the sample.
 const Segment& approach_of(const Curve& curve, const std::string& name) {
     if (curve.segments.empty()) fail(name, "", "the force curve has no rows", "export it again");
     if (curve.segments.size() == 1 && curve.segments[0].name.empty()) return curve.segments[0];
-    const Segment* found = nullptr;
     std::vector<std::string> names;
-    for (const Segment& segment : curve.segments) {
+    for (const Segment& segment : curve.segments)
         names.push_back(segment.name.empty() ? "without a name" : segment.name);
-        if (segment.name != "extend") continue;
-        if (found)
-            fail(name + ':' + std::to_string(segment.header_line), "",
-                 "a second segment \"extend\" begins here",
-                 "keep the one that is to be evaluated: curves are evaluated one by one");
-        found = &segment;
-    }
+    const Segment* found = segment_called("extend", curve, name);
     if (!found)
         fail(name, "",
              "the force curve has no segment \"extend\", which goes towards the sample; it has " +
@@ -188,23 +195,11 @@ double spring_constant(const Curve& curve, const std::string& name) {
     return value;
 }
 
-}  // namespace
-
-bool is_force_curve(std::string_view text) {
-    bool has_columns = false, has_units = false;
-    for_each_line(text, [&](const TextLine& line) {
-        const auto entry = entry_of(line.text);
-        has_columns = has_columns || (entry && entry->first == "columns");
-        has_units = has_units || (entry && (entry->first == "units" || entry->first == "segment"));
-    });
-    return has_columns && has_units;
-}
-
-ForceCurve force_curve(std::string_view text, const std::string& name, std::size_t most_rows) {
-    const Curve curve = read_curve(text, name);
-    const Segment& approach = approach_of(curve, name);
-    const Columns columns(approach, name);
-    if (approach.rows.size() > most_rows)
+/// Depths, from anywhere, and forces of a segment; `reading`: how the depth was got.
+ForceCurve rows_of(const Segment& segment, const Curve& curve, const std::string& name,
+                   std::size_t most_rows) {
+    const Columns columns(segment, name);
+    if (segment.rows.size() > most_rows)
         columns.refuse("has more than " + std::to_string(most_rows) + " rows",
                        "thin it out, or take means");
     if (!columns.has(deflection))
@@ -214,7 +209,7 @@ ForceCurve force_curve(std::string_view text, const std::string& name, std::size
     ForceCurve found;
     found.force = columns.values(deflection, Dimension::force, calibrate);
     const auto height = std::ranges::find_if(heights, [&](auto one) { return columns.has(one); });
-    std::string depth = "-verticalTipPosition";
+    found.reading = "-verticalTipPosition";
     if (columns.has(tip)) {
         found.depth = columns.values(tip, Dimension::length, "export it in m");
     } else if (height == heights.end()) {
@@ -228,20 +223,50 @@ ForceCurve force_curve(std::string_view text, const std::string& name, std::size
         found.depth = columns.values(*height, Dimension::length, "export it in m");
         const double k = spring_constant(curve, name);
         for (std::size_t i = 0; i < found.depth.size(); ++i) found.depth[i] += found.force[i] / k;
-        depth = "-(" + std::string(*height) + " + vDeflection/k), k = " + shortest(k) + " N/m";
+        found.reading =
+            "-(" + std::string(*height) + " + vDeflection/k), k = " + shortest(k) + " N/m";
     }
     for (double& value : found.depth) value = 0 - value;
+    return found;
+}
+
+}  // namespace
+
+bool is_force_curve(std::string_view text) {
+    bool has_columns = false, has_units = false;
+    for_each_line(text, [&](const TextLine& line) {
+        const auto entry = entry_of(line.text);
+        has_columns = has_columns || (entry && entry->first == "columns");
+        has_units = has_units || (entry && (entry->first == "units" || entry->first == "segment"));
+    });
+    return has_columns && has_units;
+}
+
+ForceCurve force_curve(std::string_view text, const std::string& name, std::size_t most_rows,
+                       bool with_retraction) {
+    const Curve curve = read_curve(text, name);
+    const Segment& approach = approach_of(curve, name);
+    ForceCurve found = rows_of(approach, curve, name, most_rows);
     // Where the force is largest the tip is deepest.
     const auto most = std::ranges::max_element(found.force) - found.force.begin();
     const double mean = std::accumulate(found.depth.begin(), found.depth.end(), 0.) /
                         static_cast<double>(found.depth.size());
     if (found.depth[static_cast<std::size_t>(most)] < mean)
-        columns.refuse(
-            "has its largest force far from the sample: heights that fall towards it "
-            "are expected, and forces that are positive where it repels",
-            "turn the sign of one of the columns");
-    found.reading = "segment " + (approach.name.empty() ? "without a name" : approach.name) +
-                    " of " + std::to_string(curve.segments.size()) + ", depth = " + depth;
+        Columns(approach, name)
+            .refuse(
+                "has its largest force far from the sample: heights that fall towards it "
+                "are expected, and forces that are positive where it repels",
+                "turn the sign of one of the columns");
+    std::string segments = "segment " + (approach.name.empty() ? "without a name" : approach.name);
+    if (const Segment* pulled =
+            with_retraction ? segment_called("retract", curve, name) : nullptr) {
+        const ForceCurve more = rows_of(*pulled, curve, name, most_rows);
+        found.depth.insert(found.depth.end(), more.depth.begin(), more.depth.end());
+        found.force.insert(found.force.end(), more.force.begin(), more.force.end());
+        segments = "segments " + approach.name + " and " + pulled->name;
+    }
+    found.reading =
+        segments + " of " + std::to_string(curve.segments.size()) + ", depth = " + found.reading;
     return found;
 }
 

@@ -15,7 +15,7 @@
 #include "contact/model_makers.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/loop_findings.h"
-#include "experiments/identification/loop_weights.h"
+#include "experiments/identification/row_weights.h"
 #include "experiments/identification/loops/measured_loop.h"
 #include "tests/random/loop_rig.h"
 #include "tests/random/random_rig.h"
@@ -150,8 +150,8 @@ DrawnLoops drawn_loops(Random& random, int number) {
                                      .given = columns.shifts,
                                      .observed = columns.forces,
                                      .loops = experiments::measured_loops(columns)};
-    if (number % 2) table.standard_errors = table.loops.force_errors = force_errors;
-    if (number % 2) table.loops.shift_errors = shift_errors;
+    if (number % 2) table.standard_errors = table.row_errors.observed = force_errors;
+    if (number % 2) table.row_errors.given = shift_errors;
     contact::Case& c = drawn.input.rig;
     c.indenter.radius = rig.radius;
     c.substrate = {rig.young * between(random, {.4, 2}), rig.poisson};
@@ -177,7 +177,7 @@ struct Held {
 void count(DrawnLoops drawn, const std::string& errors, std::map<std::string, Held>& held,
            Held& named, std::map<std::string, int>& confused) {
     const contact::ModelMakers makers;
-    experiments::weigh_loop_rows(drawn.input, {makers, 1});
+    experiments::weigh_rows(drawn.input, {makers, 1});
     auto task = experiments::task_of(drawn.input, "half-space");
     task.model = experiments::prediction_of("half-space", drawn.input, {makers, 1});
     const auto found = experiments::identify(task);

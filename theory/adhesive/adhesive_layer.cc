@@ -13,11 +13,18 @@ namespace tricontact::theory {
 
 using std::numbers::pi;
 
-AdhesiveCurve layer_curve(const ElasticLayer& layer, const contact::AxisymmetricIndenter& body,
-                          double work) {
+namespace {
+
+double plane_modulus(const ElasticLayer& layer) {
+    return 2 * layer.material.shear_modulus() / (1 - layer.material.poisson);
+}
+
+}  // namespace
+
+AdhesiveCurve::Family layer_contacts(const ElasticLayer& layer,
+                                     const contact::AxisymmetricIndenter& body) {
     check(layer);
-    const double modulus = 2 * layer.material.shear_modulus() / (1 - layer.material.poisson);
-    const auto family = [=, &body](double a) {
+    return [layer, &body, modulus = plane_modulus(layer)](double a) {
         const LayerEquation equation(layer,
                                      LineMesh(a, body.kinks(), points_for(a / layer.thickness)));
         const auto& mesh = equation.mesh();
@@ -36,9 +43,13 @@ AdhesiveCurve layer_curve(const ElasticLayer& layer, const contact::Axisymmetric
                            .stiffness = 2 * modulus * unit.integral,
                            .edge = unit.edge};
     };
+}
+
+AdhesiveCurve layer_curve(const ElasticLayer& layer, const contact::AxisymmetricIndenter& body,
+                          double work) {
     const double largest =
         std::min(body.outer_radius() * (1 - 1e-6), largest_radius_over_thickness * layer.thickness);
-    return {family, modulus, work, layer.thickness / 8, largest};
+    return {layer_contacts(layer, body), plane_modulus(layer), work, layer.thickness / 8, largest};
 }
 
 ThinLayerContact thin_compressible_layer(const ElasticLayer& layer, double radius, double work,

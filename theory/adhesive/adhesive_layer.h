@@ -6,6 +6,11 @@
 
 namespace tricontact::theory {
 
+/// Contacts of a rigid body of revolution on an elastic layer over a rigid plane, by the integral
+/// equation of LayerEquation; `body` shall outlive them.
+AdhesiveCurve::Family layer_contacts(const ElasticLayer& layer,
+                                     const contact::AxisymmetricIndenter& body);
+
 /// Short-ranged adhesion of a rigid body of revolution on an elastic layer over a rigid plane,
 /// exact but for rounding: the punch of the integral equation of LayerEquation gives S(a) and e(a).
 /// `body` shall outlive the curve. Contacts of a/b up to largest_radius_over_thickness.

@@ -22,14 +22,6 @@ struct MeasuredLoop {
 struct MeasuredLoops {
     std::vector<MeasuredLoop> loops;
     std::vector<bool> rises;  ///< of each row: from the least shift of its loop to the largest
-    /// Stated standard errors of each row's force [N] and shift [m], both or none.
-    std::vector<double> force_errors = {}, shift_errors = {};
-    /// Of each row over that of a row whose shift does not matter, where none are stated; empty:
-    /// not known yet.
-    std::vector<double> relative_errors = {};
-    /// What forces and what shifts of each series bring to the rows' variances, over all of it, a
-    /// column each.
-    std::vector<std::vector<double>> variance_parts = {};
 
     std::size_t n_series() const { return loops.empty() ? 0 : loops.back().series + 1; }
     double mean_cycle() const;

@@ -63,17 +63,24 @@ std::vector<Verdict> interface_verdicts(const IdentificationStudy& study) {
     const auto& fits = study.interfaces->fits;
     const InterfaceFit &rigid = fits.front(), &all = fits.back();
     std::vector<Verdict> verdicts;
+    const bool is_adhesion = study.interfaces->is_adhesion;
     if (rigid.is_excluded) {
         const std::string bias = bias_of_rigid(rigid, all);
         verdicts.push_back(
-            {finding, fmt::format("A rigid interface is excluded ({}){}.", criteria(rigid),
-                                  bias.empty() ? "" : "; it would give " + bias)});
+            {finding,
+             fmt::format("{} excluded ({}){}.",
+                         is_adhesion ? "Surfaces that do not attract each other are"
+                                     : "A rigid interface is",
+                         criteria(rigid),
+                         bias.empty()
+                             ? ""
+                             : (is_adhesion ? "; they would give " : "; it would give ") + bias)});
     } else {
         verdicts.push_back(
-            {not_resolved,
-             fmt::format("These data do not tell springs of the interface from a rigid one ({}), "
-                         "with which {}.",
-                         criteria(rigid), fit_numbers(rigid))});
+            {not_resolved, fmt::format("These data do not tell {} ({}), with which {}.",
+                                       is_adhesion ? "attraction of the surfaces from none"
+                                                   : "springs of the interface from a rigid one",
+                                       criteria(rigid), fit_numbers(rigid))});
     }
     for (std::size_t i = 1; i + 1 < fits.size(); ++i)
         if (rigid.is_excluded)
@@ -87,13 +94,14 @@ std::vector<Verdict> interface_verdicts(const IdentificationStudy& study) {
 report::DocumentTable interface_table(const InterfaceComparison& interfaces) {
     report::DocumentTable table{
         .id = "interfaces",
-        .title = "Springs of the interface",
+        .title = interfaces.is_adhesion ? "Attraction of the surfaces" : "Springs of the interface",
         .note =
             "-2 ln L: without a constant. AICc: Akaike's criterion for few observations, less "
-            "is better. p: of the likelihood ratio beside all springs; a rigid interface is at "
-            "the end of their range, where it is twice too large at most.",
-        .columns = report::columns("springs", "numbers", "-2 ln L:5", "AICc:5", "above the least:3",
-                                   "likelihood ratio:3", "p", "verdict")};
+            "is better. p: of the likelihood ratio beside all that was asked for; without it the "
+            "interface is at the end of a range, where p is twice too large at most.",
+        .columns = report::columns(interfaces.is_adhesion ? "attraction" : "springs", "numbers",
+                                   "-2 ln L:5", "AICc:5", "above the least:3", "likelihood ratio:3",
+                                   "p", "verdict")};
     for (const InterfaceFit& fit : interfaces.fits) {
         const bool is_all = &fit == &interfaces.fits.back();
         table.rows.push_back({fit.name, fit_numbers(fit), fit.likelihood.minus_two_log,
@@ -106,7 +114,8 @@ report::DocumentTable interface_table(const InterfaceComparison& interfaces) {
 }
 
 std::string interface_lines(const InterfaceComparison& interfaces) {
-    std::string text = fmt::format("{:<22} {:>10} {:>8}  {:<24} {}\n", "springs", "AICc", "+",
+    std::string text = fmt::format("{:<22} {:>10} {:>8}  {:<24} {}\n",
+                                   interfaces.is_adhesion ? "attraction" : "springs", "AICc", "+",
                                    "likelihood ratio", "numbers");
     for (const InterfaceFit& fit : interfaces.fits)
         text +=

@@ -44,7 +44,7 @@ double found_or(const IdentifiedModel& model, const char* key, double known) {
 
 std::optional<Verdict> left_out_adhesion(const IdentificationStudy& study) {
     const IdentificationInput& input = study.input;
-    if (!input.work_of_adhesion) return {};
+    if (!input.work_of_adhesion || input.rig.adhesion) return {};
     const IdentifiedModel& model = reference_model(study);
     contact::Case c = input.rig;
     c.indenter.radius = found_or(model, "indenter.radius", c.indenter.radius);

@@ -31,8 +31,13 @@ verdict 3 "${hertz[@]}"
 "$program" benchmark deck hemisphere --code freefem --levels 1 --output deck >readme.txt || complain "no deck"
 grep -q 'contact radius 1.024[567]' deck/hemisphere_n4.edp || complain "radius of the deck: $(head -1 deck/hemisphere_n4.edp)"
 ! grep -q block_width deck/submission.toml || complain "half a ball has no block"
-for code in freefem getfem mesh; do
-    refused 'calculix and abaqus alone' benchmark deck hemisphere_on_layer --code $code --output deck --quiet
+refused 'have no deck of meshes alone' benchmark deck hemisphere_on_layer --code mesh --output deck --quiet
+
+# Two bodies by the decks of FreeFem++ and GetFEM, as these computed them.
+foreign=$source_dir/tests/benchmarks/foreign
+for code in freefem_p2 getfem_q2; do
+    "$program" benchmark compare --case hemisphere_on_layer "$foreign/${code}_hemisphere_on_layer_"{4,8,16}.csv \
+        --output out >said.txt 2>err.txt || complain "$code: $(cat err.txt said.txt)"
 done
 # Of revolution nothing pulls such bodies.
 sed 's/^coupling = false/coupling = true/; s/^tangential_ratio = .*/tangential_ratio = 0.5/; s/fem-axisymmetric/fem/' hemisphere.toml >pulled.toml

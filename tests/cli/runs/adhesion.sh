@@ -53,7 +53,22 @@ PYTHON
     complain "-1.5 mN holds"
 grep -q "holds 0.00141372 N at most" text || complain "$(cat text)"
 
-# 5. What does not know it says so.
+# 5. By cells: JKR within the bars.
+"$program" run "$case" --models bem --set contact.coupling=false --set 'bem.spacing="16 um"' --output cells --quiet >text 2>&1 ||
+    complain "no cells: $(cat text)"
+"$python" - <<'PYTHON' || complain "cells"
+import json, math
+w, R, E = 60e-3, 5e-3, 2e6
+summary = json.load(open("cells/summary.json"))
+model, width = summary["models"]["bem"], summary["numerical_error"]["half_widths"]
+exact = {"pull_off_force_N": 1.5 * math.pi * w * R, "pull_off_radius_m": (9 * math.pi * w * R * R / 8 / E) ** (1 / 3)}
+for key, value in exact.items():
+    assert abs(model[key] - value) <= width[key], (key, model[key], value)
+assert width["pull_off_force_N"] < .05 * exact["pull_off_force_N"]
+assert model["steps_of_other_states"] > 0
+PYTHON
+
+# 6. What does not know it says so.
 for command in "deviation" "contact export --output x" "experiment" "rig" "benchmark deck --for calculix"; do
     "$program" $command "$case" >text 2>&1 && complain "$command takes adhesion"
 done

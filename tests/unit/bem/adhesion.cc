@@ -5,10 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "bem/model.h"
+#include "bem/settings.h"
 #include "contact/base/error.h"
 #include "contact/cells.h"
 #include "contact/larger_grids.h"
@@ -71,7 +73,7 @@ TEST(BemAdhesion, ForcesOfMaugisTransition) {
         double lambda, cells, allowed;
     };
     for (const auto& [lambda, cells, allowed] :
-         {Row{.1, 10, 1e-3}, Row{.5, 10, 2.5e-3}, Row{.5, 20, 1e-3}, Row{1, 20, 2.5e-3},
+         {Row{.1, 10, 1e-3}, Row{.5, 10, 2.5e-3}, Row{.5, 20, 1e-3}, Row{1, 20, 3e-3},
           Row{1, 40, 1e-3}}) {
         const Ball ball(lambda, cells);
         const auto model = bem::make_model(ball.c, 1);
@@ -85,6 +87,38 @@ TEST(BemAdhesion, ForcesOfMaugisTransition) {
         }
         EXPECT_TRUE(model->audit().passed());
     }
+}
+
+// Dugdale's tension over a ring of three cells, pressed and pulled: fronts are not held by cells,
+// so that states on the way up and down are the same, and the errors are those of the ring's edge.
+TEST(BemAdhesion, ShortRangeIsNotHeldByCells) {
+    Ball ball(3, 40, 1.1);
+    ball.c.of<bem::Settings>().tolerance = 1e-5;
+    const auto model = bem::make_model(ball.c, 1);
+    at(*model, ball, 1.1);
+    for (const double depth : {1., .9, 1.}) {
+        const double force = at(*model, ball, depth).normal_force / ball.force();
+        EXPECT_NEAR(force, maugis_at(3, depth).force, 9e-3) << depth;
+        if (depth == 1) {
+            static double first = force;
+            EXPECT_NEAR(force, first, 5e-4);
+        }
+    }
+}
+
+// The other end of the transition: hardly deformed, the force as they meet is that of Derjaguin,
+// Muller and Toporov, -2 pi w R, but for what lambda leaves of it.
+TEST(BemAdhesion, HoldsAsBodiesThatTheTensionDoesNotDeform) {
+    double last = .2;
+    for (const double lambda : {.02, .005}) {
+        const Ball ball(lambda, 3, .3);
+        const auto model = bem::make_model(ball.c, 1);
+        const double force = at(*model, ball, 0).normal_force / ball.force();
+        EXPECT_NEAR(force, theory::maugis_contact_at(lambda, 0).force, 5e-3);
+        EXPECT_LT(force + 2, .6 * last);
+        last = force + 2;
+    }
+    EXPECT_LT(last, .05);
 }
 
 // Short-ranged: the tension acts over three cells, an error of the first order.
@@ -111,9 +145,10 @@ TEST(BemAdhesion, ApproachesJohnsonKendallAndRoberts) {
 TEST(BemAdhesion, LosesTheEnergyOfItsJumpsAlone) {
     const Ball ball(0, 6, 1);
     const auto model = bem::make_model(ball.c, 1);
-    constexpr double step = .1;
-    constexpr int n = 25;
-    double work = 0, released = 0, last_jump = 0;
+    constexpr double step = .05;
+    constexpr int n = 50;
+    double work = 0, released = 0, jumps = 0, last_jump = 0;
+    int n_differ = 0;
     std::vector<double> loading, unloading;
     contact::StepRecord before = at(*model, ball, -1.5);
     const auto go = [&](double depth, std::vector<double>& forces) {
@@ -121,6 +156,8 @@ TEST(BemAdhesion, LosesTheEnergyOfItsJumpsAlone) {
         work +=
             .5 * (now.normal_force + before.normal_force) * (now.indentation - before.indentation);
         released += now.released_energy;
+        jumps += now.released_energy > .05 * ball.force() * ball.depth() ? now.released_energy : 0;
+        n_differ += now.may_differ;
         if (now.contact_area == 0 && before.contact_area > 0) last_jump = now.released_energy;
         forces.push_back(now.normal_force / ball.force());
         before = now;
@@ -129,10 +166,16 @@ TEST(BemAdhesion, LosesTheEnergyOfItsJumpsAlone) {
     for (int k = n - 1; k >= 0; --k) go(-1.5 + k * step, unloading);
     const double unit = ball.force() * ball.depth();
     EXPECT_EQ(before.normal_force, 0);
-    for (int k = 0; k < 8; ++k) EXPECT_NEAR(unloading[k], loading[n - 2 - k], 1e-4) << k;
+    for (int k = 0; k < 30; ++k) EXPECT_NEAR(unloading[k], loading[n - 2 - k], 1e-4) << k;
     // The trapezoids do not see where in a step it jumps, by a force of up to 1.4.
     EXPECT_NEAR(work / unit, released / unit, 1.4 * step);
     EXPECT_GT(released, .1 * unit);
+    // Smooth steps lose nothing: energies are those whose slope is the force.
+    EXPECT_NEAR(jumps / released, 1, 1e-3);
+    // Where the tension of three cells brings bodies together they are not apart any more: on the
+    // way there and on that back as many states have another one beside them.
+    EXPECT_GT(n_differ, 2);
+    EXPECT_EQ(n_differ % 2, 0);
     const auto body = ball.c.make_axisymmetric_indenter();
     theory::AdhesiveCurve exact =
         theory::half_space_curve(*body, ball.c.materials().effective_modulus(), ball.w);
@@ -143,14 +186,18 @@ TEST(BemAdhesion, LosesTheEnergyOfItsJumpsAlone) {
     EXPECT_NEAR(last_jump / motion.released, 1, .25);
     const auto off = model->pull_off();
     ASSERT_TRUE(off);
-    EXPECT_NEAR(off->force / ball.force(), 1.5, .1);
+    EXPECT_NEAR(off->force / ball.force(), 1.5, .03);
     EXPECT_NEAR(off->radius / ball.radius(), std::cbrt(1.5), .12);
+    // A run that goes on from what was kept finds the same.
+    const auto resumed = bem::make_model(ball.c, 1);
+    resumed->read_state(model->write_state());
+    EXPECT_EQ(resumed->pull_off().value().force, off->force);
     EXPECT_LT(off->last_indentation, off->indentation);
     EXPECT_GT(off->last_indentation, -1.5 * ball.depth());
 }
 
 // Against the integral equation of the layer, from thick to thin ones: the contact under a force,
-// and the pull-off, whose error falls with the cells.
+// and the pull-off, whose error falls with the cells; a thin layer needs ten across its thickness.
 TEST(BemAdhesion, OfALayerAsItsExactTheory) {
     for (const auto& [thickness, nu] : {std::pair{1., .3}, {1., .49}, {.3, .5}}) {
         Ball ball(0, 10);
@@ -164,7 +211,7 @@ TEST(BemAdhesion, OfALayerAsItsExactTheory) {
         auto exact = theory::layer_curve({ball.c.substrate, thickness * a_off}, *body, ball.w);
         const auto pressed = exact.follow({}, press).state;
         double last = 0;
-        for (const double cells : {8., 16.}) {
+        for (const double cells : thickness == 1 ? std::array{8., 16.} : std::array{16., 32.}) {
             ball.c.of<contact::Cells>().spacing = a_off / cells;
             const auto model = bem::make_model(ball.c, 1, bem::Body::layer);
             contact::LoadStep step;
@@ -175,13 +222,13 @@ TEST(BemAdhesion, OfALayerAsItsExactTheory) {
             const auto off = model->pull_off();
             ASSERT_TRUE(off);
             const double error = std::abs(off->force / exact.pull_off().force - 1);
-            EXPECT_LT(error, .4 / cells + .02);
-            EXPECT_NEAR(off->radius / exact.pull_off().radius, 1, .04);
-            if (last > 0 && thickness == 1) {
+            EXPECT_NEAR(off->radius / exact.pull_off().radius, 1, 1 / cells);  // F is flat there
+            if (last > 0) {
                 EXPECT_LT(error, .75 * last);
             }
             last = error;
         }
+        EXPECT_LT(last, 1e-2);
     }
 }
 

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "contact/base/error.h"
 #include "contact/load_path.h"
@@ -184,6 +186,54 @@ TEST(FemSectionModel, RollsACylinderOnItsHubAlone) {
     far.insert(far.end(), {"indenter.support=\"hub\"", "indenter.hub_radius=\"20 mm\"",
                            "rolling.amplitude=\"90 mm\""});
     EXPECT_THROW(cylinder(far), contact::InputError);
+}
+
+/// Forces at once and after pauses of these lengths [s], at the depth of the case.
+std::vector<double> held_forces(const Case& c, const std::vector<double>& pauses) {
+    auto model = fem::make_section_model(of_revolution(), c, nullptr);
+    contact::LoadStep step = contact::press_step(c);
+    step.friction = false;
+    step.duration = 0;
+    std::vector<double> forces{model->advance(step).normal_force};
+    for (const double pause : pauses) {
+        step.duration = pause;
+        forces.push_back(model->advance(step).normal_force);
+    }
+    return forces;
+}
+
+const std::vector<std::string> indenter_relaxes{"substrate.relaxation.relative_moduli=[0.4]",
+                                                "substrate.relaxation.times=[\"0.5 s\"]",
+                                                "substrate.relaxation.body=\"indenter\""};
+
+// On a rigid plane all that deforms relaxes: at a depth that is held the force is that of the
+// elastic body times G(t)/G_inf.
+TEST(FemSectionModel, HemisphereThatRelaxesOnAPlane) {
+    const double elastic = pressed(hemisphere())->scales().normal_force;
+    const std::vector<double> found = held_forces(hemisphere(indenter_relaxes), {.2, .3, 1});
+    constexpr double ratio = .4 / .6;
+    double t = 0;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        EXPECT_NEAR(found[k] / (elastic * (1 + ratio * std::exp(-t / .5))), 1, 1e-9) << k;
+        t += std::vector{.2, .3, 1., 0.}[k];
+    }
+}
+
+// On an elastic layer the pair relaxes from one elastic pair to another.
+TEST(FemSectionModel, HemisphereThatRelaxesOnALayer) {
+    const std::vector<std::string> on_layer{"substrate.rigid=false", "substrate.young=\"4 MPa\"",
+                                            "substrate.poisson=0.3",
+                                            "substrate.thickness=\"5 mm\""};
+    std::vector<std::string> relaxing = on_layer, stiff = on_layer;
+    relaxing.insert(relaxing.end(), indenter_relaxes.begin(), indenter_relaxes.end());
+    stiff.push_back("indenter.young=\"3.3333333333333333 MPa\"");
+    const std::vector<double> found = held_forces(hemisphere(relaxing), {1, 1e4});
+    const double first = held_forces(hemisphere(stiff), {})[0],
+                 last = held_forces(hemisphere(on_layer), {})[0];
+    EXPECT_NEAR(found[0] / first, 1, 1e-5);
+    EXPECT_NEAR(found[2] / last, 1, 1e-5);
+    EXPECT_LT(found[1], .95 * first);
+    EXPECT_GT(found[1], 1.01 * last);
 }
 
 }  // namespace

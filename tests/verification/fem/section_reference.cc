@@ -78,8 +78,21 @@ TEST(SectionReference, SpencesStickZoneBetweenTwoBodies) {
                 .03);
 }
 
-TEST(SectionReference, RefusesRolling) {
-    EXPECT_THROW(reference_of_problem("carter_two_cylinders"), contact::InputError);
+// Carter (1926) as half-spaces: creep 1 - (1 - f)^(1/2) in mu a/R, stick (1 - f)^(1/2) of the
+// contact; a/R = .05, whose square is what finite bodies may differ by.
+TEST(SectionReference, CartersCreepIsTheMeanOfBothDirections) {
+    const Reference r = reference_of_problem("carter_two_cylinders");
+    const ReferenceValue& creep = *r.find(keys::creepage);
+    EXPECT_NEAR(creep.value / (.5 * .05), 1 - std::sqrt(.5), .0025);
+    EXPECT_LT(creep.bar(), .01 * creep.value);
+    const ReferenceValue &stick = *r.find(keys::stick_area), &all = *r.find(keys::contact_area);
+    EXPECT_NEAR(stick.value / all.value, std::sqrt(.5), stick.bar() / all.value + .0025);
+}
+
+TEST(SectionReference, RefusesToReadCreepFromShortLegs) {
+    contact::Case c = required_problem("carter_two_cylinders").make_case();
+    for (auto& row : c.prescribed_path->rows) row.offset[0] /= 2;
+    EXPECT_THROW(reference(c, contact::ModelRunner(app::model_makers(), 1)), contact::InputError);
 }
 
 // A hole is no flat substrate, and a pin in it no half-space on one.

@@ -224,21 +224,29 @@ TEST(RoundedPunch, PressuresOfItsIntegralEquation) {
     EXPECT_EQ(r.fields->at(1.001 * a, 0).pressure, 0);
 }
 
-/// Results of GetFEM 5.4.2, pressures times a factor at so many times the distance.
-Comparison getfem_punch(double pressure, double place) {
-    Submission s{.problem = "rounded_punch_plane"};
-    for (const char* n : {"4", "8", "16", "32"}) {
-        MeshField& mesh = s.meshes.emplace_back(read_field(
-            {.file = std::string(TRICONTACT_SOURCE_DIR) +
-                     "/tests/benchmarks/foreign/getfem_q2_rounded_punch_plane_" + n + ".csv",
-             .set = "",
-             .totals = ""}));
+/// Results of another code, pressures times a factor at so many times the distance.
+Comparison foreign_result(const std::string& problem, const std::string& code,
+                          const std::vector<const char*>& meshes, double pressure = 1,
+                          double place = 1) {
+    Submission s{.problem = problem};
+    for (const char* n : meshes) {
+        MeshField& mesh = s.meshes.emplace_back(
+            read_field({.file = std::string(TRICONTACT_SOURCE_DIR) + "/tests/benchmarks/foreign/" +
+                                code + "_" + problem + "_" + n + ".csv",
+                        .set = "",
+                        .totals = ""}));
         for (FieldColumn& column : mesh.columns)
             for (double& value : column.values)
                 value *= column.meaning == Meaning::pressure ? pressure : place;
     }
     s.contact.kinematics = ContactMethod::Kinematics::undeformed;
     return compare_closed(std::move(s));
+}
+
+/// Of GetFEM 5.4.2.
+Comparison getfem_punch(double pressure, double place) {
+    return foreign_result("rounded_punch_plane", "getfem_q2", {"4", "8", "16", "32"}, pressure,
+                          place);
 }
 
 TEST(RoundedPunch, GetfemPasses) {
@@ -268,6 +276,19 @@ TEST(PinInHole, PressuresOfExactKernels) {
     constexpr int n = 4000;
     for (int i = 0; i < n; ++i) sum += r.fields->at(.003 * (i + .5) / n, 0).pressure * .006 / n;
     EXPECT_NEAR(r.fields->load_within(.003), sum, 1e-4 * load);
+}
+
+// Two bodies by the decks' mortar, FreeFem++ 4.11 with P2 and GetFEM 5.4.2 with Q2: on 16 elements
+// in a, the order of the peak is 2.
+TEST(PinInHole, FreefemAndGetfemPass) {
+    for (const char* code : {"freefem_p2", "getfem_q2"}) {
+        const Comparison c = foreign_result("pin_in_hole", code, {"4", "8", "16"});
+        EXPECT_EQ(c.standing, Standing::pass) << c.blame;
+        EXPECT_LT(std::abs(number(c, "contact_radius").finest), 3e-3) << code;
+        EXPECT_LT(std::abs(number(c, "peak_pressure").finest), 1e-3) << code;
+        const Comparison stiffer = foreign_result("pin_in_hole", code, {"4", "8", "16"}, 1.04);
+        EXPECT_EQ(stiffer.standing, Standing::fail) << code;
+    }
 }
 
 }  // namespace

@@ -327,8 +327,13 @@ TEST(ClosedDeck, PunchIsPressedByAPressureAndStandsBesideTheAxis) {
     EXPECT_NE(files.front().text.find("*DSLOAD\nSLOAD, P, 100\n"), std::string::npos);
     EXPECT_EQ(files.front().text.find("*CLOAD"), std::string::npos);
     for (const auto& [node, p] : read_input(files.front().text).nodes) EXPECT_GT(p[0], 0) << node;
-    EXPECT_THROW(write_closed_deck({.code = "freefem", .problem = "nafems_punch"}),
+    EXPECT_THROW(write_closed_deck({.code = "mesh", .problem = "nafems_punch"}),
                  contact::InputError);
+    // Both bodies, the script and README.txt; its pressure is that of the problem.
+    const auto scripts =
+        write_closed_deck({.code = "freefem", .levels = 1, .problem = "nafems_punch"});
+    ASSERT_EQ(scripts.size(), 4u);
+    EXPECT_NE(scripts[2].text.find("-weight*100*q"), std::string::npos);
 }
 
 }  // namespace

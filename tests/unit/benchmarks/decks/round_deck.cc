@@ -168,9 +168,13 @@ TEST(RoundDeck, SaysWhatNoDeckHas) {
         return "";
     };
     const contact::Case layer = required_problem("hemisphere_on_layer").make_case();
-    for (const char* code : {"freefem", "getfem", "mesh"})
-        EXPECT_NE(refusal(layer, code).find("calculix and abaqus alone"), std::string::npos)
+    EXPECT_NE(refusal(layer, "mesh").find("have no deck of meshes alone"), std::string::npos);
+    contact::Case rough = layer;
+    rough.contact.coupling = true;
+    for (const char* code : {"freefem", "getfem"})
+        EXPECT_NE(refusal(rough, code).find("pressed once without friction"), std::string::npos)
             << code;
+    EXPECT_EQ(refusal(rough, "calculix"), "");
     contact::Case c = required_problem("cylinder_between_plates").make_case();
     c.indenter.body->support = contact::ElasticBody::Support::hub;
     EXPECT_NE(refusal(c, "calculix").find("between plates"), std::string::npos);

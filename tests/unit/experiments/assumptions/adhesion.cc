@@ -48,6 +48,27 @@ TEST(Adhesion, OfStiffSmallSpheresIsThatOfDerjaguinMullerAndToporov) {
     EXPECT_NEAR(a.deciding_value(), 2 * M_PI * .03 * 1e-7 / 1e-5, 1e-12);
 }
 
+// A thin incompressible layer holds up to 3 pi w R, twice what the half-space does; a thick one the
+// same.
+TEST(Adhesion, OnALayerIsThatOfTheLayer) {
+    for (const double thickness : {.02e-3, 500e-3}) {
+        Rig rig = sphere(5e-3, 20e-3, 1e6, .05);
+        rig.b = thickness;
+        const auto a = experiments::no_adhesion(rig);
+        const auto value = [&](const char* name) { return a.find(name)->result.value; };
+        const double ratio = value("layer_pull_off_ratio") / value("pull_off_ratio");
+        if (thickness > 1e-3) {
+            EXPECT_NEAR(ratio, 1, 1e-2);
+            EXPECT_NEAR(value("layer_adhesive_radius_change"), value("adhesive_radius_change"),
+                        1e-2);
+        } else {
+            EXPECT_GT(ratio, 1.4);
+            EXPECT_LT(ratio, 2);
+        }
+        EXPECT_NE(a.consequence.find("On the layer it widens"), std::string::npos);
+    }
+}
+
 TEST(Adhesion, WithoutItsWorkIsNotTestable) {
     Rig rig = sphere(40e-3, 21.1, 5.2e6, .05);
     rig.Dgamma = {};

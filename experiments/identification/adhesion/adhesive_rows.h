@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace tricontact::experiments {
+
+/// Where a row of a force curve stands on the curve of adhesion. The place of a jump depends on the
+/// range of the attraction and on the stiffness of the machine: where the forces show one, the rows
+/// beyond it are left out, and those before it are in contact whatever their depth.
+enum class AdhesiveWay {
+    approach,    ///< apart up to the depth of first touch
+    contact,     ///< held by tension, at any depth
+    separation,  ///< in contact down to the depth at which it lets go
+};
+
+/// Rows of a force curve that are evaluated.
+struct AdhesiveRows {
+    std::vector<std::size_t> rows;  ///< of the table, increasing
+    std::vector<AdhesiveWay> ways;  ///< of these
+    bool shows_jump = false;        ///< the forces show tension, and rows were left out
+};
+
+/// `depths`, `forces`: of rows in the order of time, which turn at the deepest one. `error`: of a
+/// force [N]; 0: that which the differences of neighbours show. A branch shows tension where its
+/// least force is below the eightfold error; then the rows up to that force while it approaches,
+/// and from that force on while it is pulled, are left out.
+AdhesiveRows adhesive_rows(const std::vector<double>& depths, const std::vector<double>& forces,
+                           double error);
+
+}  // namespace tricontact::experiments

@@ -1,0 +1,121 @@
+#include "experiments/identification/adhesion_parameter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "experiments/identification/adhesion/adhesive_rows.h"
+#include "experiments/identification/identification_checks.h"
+#include "io/case/measurement_models.h"
+#include "io/keys/key_checks.h"
+#include "io/keys/messages.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using Input = IdentificationInput;
+using Table = Input::Table;
+using Measurement = Input::Measurement;
+
+// Of the largest force, where no tension shows.
+constexpr double hidden_tension = 1e-2;
+// Around the guess.
+constexpr double least_work = 1e-6, largest_work = 1e3;
+
+double middle_of(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+template <typename Value>
+void keep(const std::vector<std::size_t>& rows, std::vector<Value>& values) {
+    if (values.empty()) return;
+    std::vector<Value> kept;
+    for (const std::size_t row : rows) kept.push_back(values[row]);
+    values = std::move(kept);
+}
+
+}  // namespace
+
+void check_adhesive_tables(const Input& input, const std::vector<std::string>& find,
+                           const io::Document& document) {
+    const bool is_free = std::ranges::count(find, work_key) > 0;
+    if (!is_free && !document.find_section("adhesion")) return;
+    const std::string place = is_free ? "measurement.find" : std::string(work_key);
+    const auto refuse = [&](const std::string& rule, const std::string& remedy) {
+        io::refuse(document, place, rule, remedy);
+    };
+    const std::string omit = is_free ? "leave out adhesion.work" : "leave out [adhesion]";
+    for (const Table& table : input.tables)
+        if (table.measurement != Measurement::force_indentation &&
+            table.measurement != Measurement::contact_radius)
+            refuse(
+                std::string(key_of(table.measurement)) +
+                    " is evaluated without adhesion; force_indentation and contact_radius know it",
+                "identify that table in a file of its own, or " + omit);
+    for (const std::string& model : input.models) {
+        const io::MeasurementModel& kind = io::measurement_model(model);
+        if (!kind.is_theory)
+            refuse("adhesion is identified by half-space and layer, not by " + model,
+                   "leave out " + model + ", or " + omit);
+        if (kind.is_layer && std::ranges::count(find, "substrate.poisson"))
+            refuse("adhesion on a layer is that of a known nu",
+                   "leave out substrate.poisson, or the model " + model);
+    }
+    for (const char* key : {"adhesion.range", "adhesion.peak_stress"})
+        if (document.find(key))
+            io::refuse(document, key,
+                       "force curves are evaluated by Johnson, Kendall and Roberts' theory, whose "
+                       "range is 0",
+                       "omit it; tricontact check states whether the theory applies");
+    if (is_free && find.size() == 1)
+        refuse("the tables determine the work of adhesion only together with the modulus",
+               "add \"substrate.young\", and \"zero_depth\" where depths count from anywhere");
+}
+
+double guessed_work(const Input& input, double radius) {
+    double pull = 0, largest = 0;
+    for (const Table& table : input.tables) {
+        pull = std::max(pull, adhesive_pull(table));
+        const bool is_depth = table.measurement == Measurement::force_indentation;
+        largest = std::max(largest, std::ranges::max(is_depth ? table.observed : table.given));
+    }
+    return std::max(pull, hidden_tension * largest) / (2 * std::numbers::pi * radius);
+}
+
+FreeParameter work_parameter(const Input& input) {
+    const double start = input.rig.adhesion->work;
+    return {.key = std::string(work_key),
+            .name = "work_of_adhesion_J_per_m2",
+            .symbol = "w",
+            .unit = "J/m2",
+            .low = least_work * start,
+            .high = largest_work * start,
+            .start = start};
+}
+
+void keep_adhesive_rows(Table& table) {
+    if (!table.is_adhesive || table.measurement != Measurement::force_indentation) return;
+    const double error = middle_of(table.row_errors.observed.empty() ? table.standard_errors
+                                                                     : table.row_errors.observed);
+    const std::size_t n = table.given.size();
+    AdhesiveRows kept = adhesive_rows(table.given, table.observed, error);
+    keep(kept.rows, table.given);
+    keep(kept.rows, table.observed);
+    keep(kept.rows, table.standard_errors);
+    keep(kept.rows, table.row_errors.observed);
+    keep(kept.rows, table.row_errors.given);
+    table.ways = std::move(kept.ways);
+    if (kept.shows_jump)
+        table.reading += fmt::format(
+            "{}{} of {} rows: those in contact up to the largest tension, beyond which the "
+            "machine's stiffness and the range of the attraction decide where it jumps",
+            table.reading.empty() ? "" : "; ", table.given.size(), n);
+}
+
+}  // namespace tricontact::experiments

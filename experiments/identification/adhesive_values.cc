@@ -1,0 +1,111 @@
+#include "experiments/identification/adhesive_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "comparisons/half_space/layer.h"
+#include "contact/base/error.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using contact::Case;
+using theory::AdhesiveCurve;
+using Kind = contact::NormalControl::Kind;
+using Table = IdentificationInput::Table;
+
+theory::DiscScale disc_scale(const Case& rig) {
+    return {rig.substrate.young, rig.indenter.radius, *rig.layer.thickness};
+}
+
+/// The branch that is stable under depth, and what lies below it.
+class ForceCurve {
+  public:
+    explicit ForceCurve(AdhesiveCurve curve) : curve_(std::move(curve)) {
+        touching_ = curve_.follow({}, {Kind::indentation, 0}).state;
+        // The end of the branch is known to the square of the step that it is sought by.
+        constexpr double above_end = 1e-8;
+        least_ = (1 - above_end) * curve_.pull_off().last_indentation;
+        last_force_ = curve_.follow(touching_, {Kind::indentation, least_}).state.force;
+    }
+
+    double force_at(double depth, AdhesiveWay way) {
+        if (way == AdhesiveWay::approach && depth < 0) return 0;
+        if (depth < least_) return way == AdhesiveWay::contact ? last_force_ : 0;
+        return curve_.follow(touching_, {Kind::indentation, depth}).state.force;
+    }
+
+  private:
+    AdhesiveCurve curve_;
+    AdhesiveCurve::State touching_;
+    double least_ = 0, last_force_ = 0;
+};
+
+std::vector<double> radii(AdhesiveCurve curve, const std::vector<double>& forces) {
+    const contact::PullOff off = curve.pull_off();
+    const AdhesiveCurve::State unloaded = curve.follow({}, {Kind::force, 0}).state;
+    std::vector<double> all;
+    for (const double force : forces)
+        all.push_back(force > -off.force ? curve.follow(unloaded, {Kind::force, force}).state.radius
+                                         : off.radius);
+    return all;
+}
+
+}  // namespace
+
+RigDiscs::RigDiscs(const Case& rig, bool on_layer, double step) {
+    if (!on_layer) return;
+    const std::string why = comparisons::why_no_exact_theory(rig);
+    if (!why.empty()) throw contact::InputError("adhesion on a layer: " + why);
+    table_ = std::make_shared<theory::DiscTable>(
+        comparisons::elastic_layer(rig), rig.make_axisymmetric_indenter(), disc_scale(rig), step);
+}
+
+AdhesiveCurve RigDiscs::curve(const Case& rig) const {
+    const double modulus = rig.materials().effective_modulus(), work = rig.adhesion->work;
+    if (table_) return table_->curve(disc_scale(rig), modulus, work);
+    const std::shared_ptr<const contact::AxisymmetricIndenter> body =
+        rig.make_axisymmetric_indenter();
+    const auto family = [body, modulus](double a) {
+        return theory::DiscContact{.indentation = body->plane_profile(a),
+                                   .force = modulus * body->pressed_area(a),
+                                   .stiffness = 2 * modulus * a};
+    };
+    constexpr double rim = 1 - 1e-6;
+    return {family, modulus, work, work / modulus, rim * body->outer_radius()};
+}
+
+std::vector<double> adhesive_values(const Table& table, const IdentifiedRig& rig,
+                                    const std::vector<double>& given, const RigDiscs& discs) {
+    if (table.measurement == IdentificationInput::Measurement::contact_radius)
+        return radii(discs.curve(rig.as_case), given);
+    ForceCurve curve(discs.curve(rig.as_case));
+    const double zero = table.has_free_zero ? rig.zero_depths.at(table.place) : 0;
+    const bool are_rows = given.size() == table.ways.size();
+    std::vector<double> all;
+    for (std::size_t i = 0; i < given.size(); ++i)
+        all.push_back(
+            curve.force_at(given[i] - zero, are_rows ? table.ways[i] : AdhesiveWay::separation));
+    return all;
+}
+
+std::vector<double> adhesive_slopes(const Table& table, const IdentifiedRig& rig,
+                                    const RigDiscs& discs) {
+    const auto [least, largest] = std::ranges::minmax(table.given);
+    constexpr double part = 1e-4;
+    const double step = part * (largest - least);
+    const auto moved = [&](double by) {
+        std::vector<double> depths = table.given;
+        for (double& depth : depths) depth += by;
+        return adhesive_values(table, rig, depths, discs);
+    };
+    const auto above = moved(step), below = moved(-step);
+    std::vector<double> slopes;
+    for (std::size_t i = 0; i < above.size(); ++i)
+        slopes.push_back((above[i] - below[i]) / (2 * step));
+    return slopes;
+}
+
+}  // namespace tricontact::experiments

@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# tricontact identify finds the work of adhesion and the zero of the depth beside E of a force curve with pull-off,
+# holds them against surfaces that do not attract each other, and refuses what its theory does not cover.
+# usage: identify_adhesion.sh PROGRAM SOURCE_DIR
+source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
+
+measurements=$source_dir/examples/measurements
+number() { "$python" -c "import json; print(json.load(open('out/identify.json'))$1)"; }
+holds() { awk "BEGIN { exit !($1) }" || complain "$1: $2"; }
+# within MODEL KEY VALUE PART: an interval holds the value, and is not wider than a part of it.
+within() {
+    local low high
+    low=$(number "['models']['$1']['$2']['interval'][0]")
+    high=$(number "['models']['$1']['$2']['interval'][1]")
+    holds "$low < $3 && $3 < $high && $high - $low < $4 * $3" "$2 of $1"
+}
+
+# A lens on rubber, by a script of its own.
+"$program" identify "$measurements/lens_pull_off.toml" --output out --quiet >text || complain "pull-off: $(cat text)"
+within half-space young_Pa 1.8e6 .02
+within half-space work_of_adhesion_J_per_m2 .05 .05
+within half-space zero_depth_m 123e-6 .001
+grep -q "82 of 120 rows: those in contact" text || complain "rows: $(cat text)"
+grep -q "^Surfaces that do not attract each other are excluded (likelihood ratio .*they would give E" text ||
+    complain "attraction: $(cat text)"
+grep -q "Attraction of the surfaces" out/report.html || complain "no table of attraction"
+
+# A layer that is thick is as good as a half-space: a/b is 1e-3.
+cp "$measurements/lens_pull_off.csv" .
+sed 's/^poisson.*/&\nthickness = "400 mm"/; s/"half-space"/"half-space", "layer"/' "$measurements/lens_pull_off.toml" >layer.toml
+"$program" identify layer.toml --output out --quiet >text || complain "layer: $(cat text)"
+within layer young_Pa 1.8e6 .02
+within layer work_of_adhesion_J_per_m2 .05 .05
+
+# Radii under tension and pressure, by Johnson, Kendall and Roberts' formula, w known and in the case.
+awk 'BEGIN { pi = atan2(0, -1); R = .01; E = 1.8e6 / .75; w = .05; print "normal_force [mN], contact_radius [um]"
+    for (F = -.002; F < .03; F += .002) { t = pi * w * R
+        print 1e3 * F "," 1e6 * (3 * R / 4 / E * (F + 3 * t + sqrt(6 * t * F + 9 * t * t))) ^ (1 / 3) } }' >radius.csv
+sed 's/^force_ind.*/contact_radius = "radius.csv"/; s/^find.*/find = ["substrate.young"]/
+    s/^\[measurement\]/[adhesion]\nwork = "50 mJ\/m2"\n&/' layer.toml | sed 's/, "layer"//' >radius.toml
+"$program" identify radius.toml --output out --quiet >text || complain "radii: $(cat text)"
+holds "$(number "['models']['half-space']['young_Pa']['value']") / 1.8e6 - 1 < 1e-4" "radii"
+
+# A curve without attraction: w is open downwards, and none is not excluded.
+awk -F, '/^#/ { next } /^ind/ { print; next } NR % 3 == 0 { d = $1 - 123; srand(NR)
+    print $1 "," (d > 0 ? 4 / 3 * 2.4e6 * .1 * (d * 1e-6) ^ 1.5 * 1e3 : 0) + .02 * sin(7 * NR) }' lens_pull_off.csv >none.csv
+sed 's/lens_pull_off.csv/none.csv/' "$measurements/lens_pull_off.toml" >none.toml
+"$program" identify none.toml --output out --quiet >text || complain "no attraction: $(cat text)"
+grep -q "^These data do not tell attraction of the surfaces from none" text || complain "none: $(cat text)"
+
+n=0
+# refused EXPECTED SED: the file changed.
+refused() {
+    local expected=$1 message code
+    n=$((n + 1))
+    sed "$2" "$measurements/lens_pull_off.toml" >bad.toml
+    message=$("$program" identify bad.toml --output refused 2>&1 >stdout)
+    code=$?
+    [ "$code" -eq 2 ] || complain "exit code $code instead of 2: $expected"
+    case $message in
+        *$'\n'*) complain "more than one line: $message" ;;
+        "error: "*"$expected"*) ;;
+        *) complain "expected: $expected"$'\n'"       got: $message" ;;
+    esac
+    [ ! -e refused ] || complain "output in spite of the error: $expected"
+}
+refused 'together with the modulus; add "substrate.young"' 's/^find.*/find = ["adhesion.work"]/'
+refused 'range is 0; omit it' 's/^\[measurement\]/[adhesion]\nwork = "50 mJ\/m2"\nrange = "1 um"\n&/; s/"adhesion.work", //'
+refused 'static_shift is evaluated without adhesion' 's/^force_ind/static_shift = "radius.csv"\n&/; s/^\[meas/[load]\nnormal_force = "1 N"\n&/'
+refused 'by half-space and layer, not by fem' 's/^poisson.*/&\nthickness = "8 mm"/; s/"half-space"/"fem"/'
+refused 'that of a known nu' 's/^poisson.*/&\nthickness = "8 mm"/; s/"half-space"/"layer"/; s/"adhesion.work"/&, "substrate.poisson"/'
+refused 'springs between the surfaces do not let go' 's/^\[meas/[interface]\nnormal_stiffness = "1 MPa\/mm"\n&/'
+sed '1,3!s/, .*/, -1/' lens_pull_off.csv >pulls.csv
+refused 'no value is positive' 's/lens_pull_off/pulls/'
+printf '%d files refused\n' "$n"
+finish
