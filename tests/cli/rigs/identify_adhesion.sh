@@ -41,6 +41,17 @@ sed 's/^force_ind.*/contact_radius = "radius.csv"/; s/^find.*/find = ["substrate
 "$program" identify radius.toml --output out --quiet >text || complain "radii: $(cat text)"
 holds "$(number "['models']['half-space']['young_Pa']['value']") / 1.8e6 - 1 < 1e-4" "radii"
 
+# Sliding under loads down to tension: tau_0 over the area that adhesion holds together.
+awk -F, 'NR == 1 { print "normal_force [mN], sliding_force [mN]"; next } { print $1 "," 1e3 * .3e6 * atan2(0, -1) * ($2 * 1e-6) ^ 2 }' \
+    radius.csv >sliding.csv
+sed 's/^contact_radius.*/&\nsliding_force = "sliding.csv"/; s/^find.*/find = ["substrate.young", "adhesion.work", "friction.shear_strength"]/
+    /^\[adhesion\]/,/^work/d' radius.toml >sliding.toml
+"$program" identify sliding.toml --output out --quiet >text || complain "sliding: $(cat text)"
+for found in "young_Pa 1.8e6" "work_of_adhesion_J_per_m2 .05" "shear_strength_Pa .3e6"; do
+    set -- $found
+    holds "($(number "['models']['half-space']['$1']['value']") / $2 - 1) ^ 2 < 1e-8" "$1 of sliding"
+done
+
 # A curve without attraction: w is open downwards, and none is not excluded.
 awk -F, '/^#/ { next } /^ind/ { print; next } NR % 3 == 0 { d = $1 - 123; srand(NR)
     print $1 "," (d > 0 ? 4 / 3 * 2.4e6 * .1 * (d * 1e-6) ^ 1.5 * 1e3 : 0) + .02 * sin(7 * NR) }' lens_pull_off.csv >none.csv
@@ -72,5 +83,9 @@ refused 'that of a known nu' 's/^poisson.*/&\nthickness = "8 mm"/; s/"half-space
 refused 'springs between the surfaces do not let go' 's/^\[meas/[interface]\nnormal_stiffness = "1 MPa\/mm"\n&/'
 sed '1,3!s/, .*/, -1/' lens_pull_off.csv >pulls.csv
 refused 'no value is positive' 's/lens_pull_off/pulls/'
+sed 's/, "adhesion.work", "friction.shear_strength"/, "adhesion.work", "friction.coefficient"/' sliding.toml >coulomb.toml
+measurements=.
+refuse_coulomb=$("$program" identify coulomb.toml --output refused 2>&1) && complain "Coulomb's law under tension"
+[[ $refuse_coulomb == *"carries tau_0 over the contact, and this law has mu"* ]] || complain "Coulomb: $refuse_coulomb"
 printf '%d files refused\n' "$n"
 finish
