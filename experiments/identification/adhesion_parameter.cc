@@ -114,12 +114,18 @@ FreeParameter work_parameter(const Input& input) {
             .start = start};
 }
 
-void keep_adhesive_rows(Table& table) {
+void keep_adhesive_rows(Table& table, const std::string& name) {
     if (!table.is_adhesive || table.measurement != Measurement::force_indentation) return;
     const double error = middle_of(table.row_errors.observed.empty() ? table.standard_errors
                                                                      : table.row_errors.observed);
     const std::size_t n = table.given.size();
     AdhesiveRows kept = adhesive_rows(table.given, table.observed, error);
+    constexpr int most_onsets = 2;  // one, and a stray row
+    if (kept.n_onsets > most_onsets)
+        io::fail(name, "",
+                 "tension comes and goes " + std::to_string(kept.n_onsets) +
+                     " times from row to row, as where approach and retraction are sorted together",
+                 "write the rows in the order of time");
     keep(kept.rows, table.given);
     keep(kept.rows, table.observed);
     keep(kept.rows, table.standard_errors);

@@ -27,6 +27,7 @@ double guessed_work(const IdentificationInput& input, double radius);
 FreeParameter work_parameter(const IdentificationInput& input);
 
 /// Leaves the rows of a table of depths that are evaluated. Those of other tables are in contact.
-void keep_adhesive_rows(IdentificationInput::Table& table);
+/// Throws contact::InputError for rows that are not in the order of time. `name`: for messages.
+void keep_adhesive_rows(IdentificationInput::Table& table, const std::string& name);
 
 }  // namespace tricontact::experiments
