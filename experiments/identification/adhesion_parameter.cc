@@ -53,11 +53,12 @@ void check_adhesive_tables(const Input& input, const std::vector<std::string>& f
     const std::string omit = is_free ? "leave out adhesion.work" : "leave out [adhesion]";
     for (const Table& table : input.tables)
         if (table.measurement != Measurement::force_indentation &&
-            table.measurement != Measurement::contact_radius)
-            refuse(
-                std::string(key_of(table.measurement)) +
-                    " is evaluated without adhesion; force_indentation and contact_radius know it",
-                "identify that table in a file of its own, or " + omit);
+            table.measurement != Measurement::contact_radius &&
+            table.measurement != Measurement::sliding_force)
+            refuse(std::string(key_of(table.measurement)) +
+                       " is evaluated without adhesion; force_indentation, contact_radius and "
+                       "sliding_force know it",
+                   "identify that table in a file of its own, or " + omit);
     for (const std::string& model : input.models) {
         const io::MeasurementModel& kind = io::measurement_model(model);
         if (!kind.is_theory)
@@ -73,9 +74,23 @@ void check_adhesive_tables(const Input& input, const std::vector<std::string>& f
                        "force curves are evaluated by Johnson, Kendall and Roberts' theory, whose "
                        "range is 0",
                        "omit it; tricontact check states whether the theory applies");
+    if (!input.laws.empty())
+        io::refuse(document, "measurement.laws",
+                   "laws of friction are compared without adhesion: under tension only tau_0 holds",
+                   "find friction.shear_strength instead, or " + omit);
     if (is_free && find.size() == 1)
         refuse("the tables determine the work of adhesion only together with the modulus",
                "add \"substrate.young\", and \"zero_depth\" where depths count from anywhere");
+}
+
+void check_adhesive_friction(const Input& input, const io::Document& document) {
+    if (!input.rig.adhesion || !input.find(Measurement::sliding_force)) return;
+    const contact::Friction& friction = input.rig.friction;
+    if (friction.shear_strength && !friction.coefficient) return;
+    io::refuse(document, "measurement.sliding_force",
+               "where surfaces attract each other what slides carries tau_0 over the contact, and "
+               "this law has mu",
+               "find friction.shear_strength, or state it, without friction.coefficient");
 }
 
 double guessed_work(const Input& input, double radius) {
@@ -99,12 +114,18 @@ FreeParameter work_parameter(const Input& input) {
             .start = start};
 }
 
-void keep_adhesive_rows(Table& table) {
+void keep_adhesive_rows(Table& table, const std::string& name) {
     if (!table.is_adhesive || table.measurement != Measurement::force_indentation) return;
     const double error = middle_of(table.row_errors.observed.empty() ? table.standard_errors
                                                                      : table.row_errors.observed);
     const std::size_t n = table.given.size();
     AdhesiveRows kept = adhesive_rows(table.given, table.observed, error);
+    constexpr int most_onsets = 2;  // one, and a stray row
+    if (kept.n_onsets > most_onsets)
+        io::fail(name, "",
+                 "tension comes and goes " + std::to_string(kept.n_onsets) +
+                     " times from row to row, as where approach and retraction are sorted together",
+                 "write the rows in the order of time");
     keep(kept.rows, table.given);
     keep(kept.rows, table.observed);
     keep(kept.rows, table.standard_errors);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "comparisons/half_space/layer.h"
@@ -79,8 +80,14 @@ AdhesiveCurve RigDiscs::curve(const Case& rig) const {
 
 std::vector<double> adhesive_values(const Table& table, const IdentifiedRig& rig,
                                     const std::vector<double>& given, const RigDiscs& discs) {
-    if (table.measurement == IdentificationInput::Measurement::contact_radius)
-        return radii(discs.curve(rig.as_case), given);
+    using enum IdentificationInput::Measurement;
+    if (table.measurement == contact_radius) return radii(discs.curve(rig.as_case), given);
+    if (table.measurement == sliding_force) {
+        std::vector<double> forces = radii(discs.curve(rig.as_case), given);
+        for (double& value : forces)
+            value *= value * std::numbers::pi * rig.as_case.friction.shear_strength.value();
+        return forces;
+    }
     ForceCurve curve(discs.curve(rig.as_case));
     const double zero = table.has_free_zero ? rig.zero_depths.at(table.place) : 0;
     const bool are_rows = given.size() == table.ways.size();

@@ -28,10 +28,11 @@ class RigDiscs {
     std::shared_ptr<theory::DiscTable> table_;  // of a layer
 };
 
-/// Forces [N] of a table's rows by their depths, or radii [m] by their forces, on the stable branch
-/// of Johnson, Kendall and Roberts' curve: the table's own rows by their ways, others as those
-/// pulled off. In contact, what lies below the end of the branch is as at its end, so that a search
-/// comes back from there.
+/// Forces [N] of a table's rows by their depths, radii [m] or forces of full sliding [N] by their
+/// forces, on the stable branch of Johnson, Kendall and Roberts' curve. What slides carries tau_0
+/// over the area that attraction and force hold together, which sliding is taken not to peel: the
+/// table's own rows by their ways, others as those pulled off. In contact, what lies below the end
+/// of the branch is as at its end, so that a search comes back from there.
 std::vector<double> adhesive_values(const IdentificationInput::Table& table,
                                     const IdentifiedRig& rig, const std::vector<double>& given,
                                     const RigDiscs& discs);

@@ -101,8 +101,9 @@ std::vector<double> sliding_forces(bool on_layer, const Case& rig,
                                    const std::vector<double>& normal_forces) {
     std::vector<double> forces;
     for (const double force : normal_forces)
-        forces.push_back(rig.friction.is_coulomb() ? rig.friction_coefficient() * force
-                         : on_layer                ? layer_contact(rig, force).friction_limit()
+        forces.push_back(force <= 0                  ? 0
+                         : rig.friction.is_coulomb() ? rig.friction_coefficient() * force
+                         : on_layer                  ? layer_contact(rig, force).friction_limit()
                          : rig.interface.normal_stiffness ? on_springs(rig, force).friction_limit()
                                                           : under_law(rig, force).friction_limit());
     return forces;

@@ -41,7 +41,7 @@ std::vector<double> theory_shifts(bool on_layer, const contact::Case& rig,
                                   const std::vector<double>& forces);
 
 /// Forces [N] at which all slides: mu F_N, of other laws than Coulomb's under the pressure on a
-/// half-space or a layer, with the springs of the interface.
+/// half-space or a layer, with the springs of the interface; 0 where nothing presses.
 std::vector<double> sliding_forces(bool on_layer, const contact::Case& rig,
                                    const std::vector<double>& normal_forces);
 

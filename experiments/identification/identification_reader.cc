@@ -294,6 +294,7 @@ Input read_identification(const std::string& path, const std::vector<std::string
         io::told_at(document, "measurement.find", [&] { return free_parameters(input, find); });
     check_rows_of_laws(input, document);
     check_friction(input, document);
+    check_adhesive_friction(input, document);
     input.rig_errors = read_rig_errors(input, document);
     const auto of_rig = [&](const char* key) -> std::optional<double> {
         const io::Entry* entry = document.find(key);

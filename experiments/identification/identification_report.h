@@ -137,6 +137,9 @@ std::optional<report::Verdict> untested_independence(const IdentifiedModel& mode
 std::vector<report::Verdict> identifiability_verdicts(const IdentifiedModel& model);
 /// That the rig states a work of adhesion, which the models leave out; empty without one.
 std::optional<report::Verdict> left_out_adhesion(const IdentificationStudy& study);
+/// Whether the values found are those of a short range, which their theory assumes; empty
+/// for surfaces that do not attract each other.
+std::optional<report::Verdict> regime_of_adhesion(const IdentificationStudy& study);
 
 /// "layer: posterior E = 3.79 MPa (3.74 to 3.83), mu = 0.61 (0.60 to 0.62), correlation -0.97; as
 /// good as 812 independent points (autocorrelation time 31 steps, 62 % accepted)."

@@ -120,7 +120,7 @@ void read_force_curve(IdentificationInput::Table& measured, const std::string& t
     measured.given = std::move(curve.depth);
     measured.observed = std::move(curve.force);
     measured.reading = std::move(curve.reading);
-    keep_adhesive_rows(measured);
+    keep_adhesive_rows(measured, name);
     if (measured.given.size() < least_rows)
         io::fail(name, "", few_rows(measured.given.size(), least_rows),
                  "export all of approach and retraction; rows beyond the jumps are left out");
@@ -188,7 +188,7 @@ void read_measured_table(IdentificationInput::Table& measured, std::size_t least
     if (!is_rolled && !(std::ranges::max(measured.observed) > 0))
         table.refuse_value(0, observed.name, "no value is positive",
                            "check the sign: the shift is that in the direction of the force");
-    keep_adhesive_rows(measured);
+    keep_adhesive_rows(measured, name);
     if (measured.given.size() < least_rows)
         table.refuse_header(few_rows(measured.given.size(), least_rows) +
                             "; rows beyond the jumps are left out");

@@ -81,7 +81,8 @@ double guessed_friction(const Input& input, double normal_force) {
                     (shifts->normal_forces.empty() ? normal_force : shifts->normal_forces[row]));
     for (const Table* sliding : input.all(Measurement::sliding_force))
         for (std::size_t row = 0; row < sliding->given.size(); ++row)
-            guess = std::max(guess, sliding->observed[row] / sliding->given[row]);
+            guess = std::max(
+                guess, sliding->observed[row] / (sliding->given[row] + adhesive_pull(*sliding)));
     for (const Table* loops : input.all(Measurement::friction_loop))
         guess = std::max(guess, largest_ratio_of_loops(*loops, normal_force));
     return guess;

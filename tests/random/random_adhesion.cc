@@ -147,7 +147,7 @@ DrawnCurve drawn_curve(Random& random, int number) {
     drawn.truth = {{"substrate.young", c.substrate.young},
                    {std::string(experiments::work_key), work},
                    {std::string(experiments::zero_depth_key), zero}};
-    experiments::keep_adhesive_rows(table);
+    experiments::keep_adhesive_rows(table, "drawn");
     drawn.input.models = {drawn.is_layer ? "layer" : "half-space"};
     drawn.input.tables = {std::move(table)};
     c.load.normal_force = largest;

@@ -2,13 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace tricontact::experiments {
 
 namespace {
 
 // Of the standard error of a force: noise alone is not so far below 0 in ten thousand rows.
-constexpr double shown_tension = 8;
+constexpr double shown_tension = 8, no_tension = 4;
+
+/// How often forces fall from above -no_tension to below -shown_tension errors.
+int onsets(std::span<const double> forces, double error) {
+    int n = 0;
+    bool is_free = true;
+    for (const double force : forces) {
+        if (is_free && force < -shown_tension * error) ++n;
+        if (force < -shown_tension * error) is_free = false;
+        if (force > -no_tension * error) is_free = true;
+    }
+    return n;
+}
 
 /// By the median of the second differences, which a smooth curve leaves small.
 double error_of_neighbours(const std::vector<double>& forces) {
@@ -34,6 +47,8 @@ AdhesiveRows adhesive_rows(const std::vector<double>& depths, const std::vector<
     const double tension = -shown_tension * error;
     const bool jumps_in = *least_in < tension, jumps_off = *least_out < tension;
     AdhesiveRows found{.shows_jump = jumps_in || jumps_off};
+    found.n_onsets =
+        std::max(onsets({begin, back + 1}, error), onsets({back, forces.end()}, error));
     for (auto at = begin; at != forces.end(); ++at) {
         const bool approaches = at <= back;
         if (approaches && jumps_in && at <= least_in) continue;

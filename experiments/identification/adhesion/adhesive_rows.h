@@ -19,6 +19,9 @@ struct AdhesiveRows {
     std::vector<std::size_t> rows;  ///< of the table, increasing
     std::vector<AdhesiveWay> ways;  ///< of these
     bool shows_jump = false;        ///< the forces show tension, and rows were left out
+    /// Of a branch, the larger number: how often tension begins. More than once or by a stray row
+    /// it does so in rows that were sorted, and are those of both branches in turn.
+    int n_onsets = 0;
 };
 
 /// `depths`, `forces`: of rows in the order of time, which turn at the deepest one. `error`: of a

@@ -23,6 +23,9 @@ within half-space zero_depth_m 123e-6 .001
 grep -q "82 of 120 rows: those in contact" text || complain "rows: $(cat text)"
 grep -q "^Surfaces that do not attract each other are excluded (likelihood ratio .*they would give E" text ||
     complain "attraction: $(cat text)"
+# (R w^2/(E*^2 z_0^3))^(1/3) = (.01 .05^2/(2.4e6^2 2.7e-29))^(1/3) = 5.4e3.
+grep -q "Johnson, Kendall and Roberts, whose range is 0: Tabor's parameter of these values is 54.. at a distance of 300 pm" text ||
+    complain "regime: $(cat text)"
 grep -q "Attraction of the surfaces" out/report.html || complain "no table of attraction"
 
 # A layer that is thick is as good as a half-space: a/b is 1e-3.
@@ -40,6 +43,17 @@ sed 's/^force_ind.*/contact_radius = "radius.csv"/; s/^find.*/find = ["substrate
     s/^\[measurement\]/[adhesion]\nwork = "50 mJ\/m2"\n&/' layer.toml | sed 's/, "layer"//' >radius.toml
 "$program" identify radius.toml --output out --quiet >text || complain "radii: $(cat text)"
 holds "$(number "['models']['half-space']['young_Pa']['value']") / 1.8e6 - 1 < 1e-4" "radii"
+
+# Sliding under loads down to tension: tau_0 over the area that adhesion holds together.
+awk -F, 'NR == 1 { print "normal_force [mN], sliding_force [mN]"; next } { print $1 "," 1e3 * .3e6 * atan2(0, -1) * ($2 * 1e-6) ^ 2 }' \
+    radius.csv >sliding.csv
+sed 's/^contact_radius.*/&\nsliding_force = "sliding.csv"/; s/^find.*/find = ["substrate.young", "adhesion.work", "friction.shear_strength"]/
+    /^\[adhesion\]/,/^work/d' radius.toml >sliding.toml
+"$program" identify sliding.toml --output out --quiet >text || complain "sliding: $(cat text)"
+for found in "young_Pa 1.8e6" "work_of_adhesion_J_per_m2 .05" "shear_strength_Pa .3e6"; do
+    set -- $found
+    holds "($(number "['models']['half-space']['$1']['value']") / $2 - 1) ^ 2 < 1e-8" "$1 of sliding"
+done
 
 # A curve without attraction: w is open downwards, and none is not excluded.
 awk -F, '/^#/ { next } /^ind/ { print; next } NR % 3 == 0 { d = $1 - 123; srand(NR)
@@ -72,5 +86,10 @@ refused 'that of a known nu' 's/^poisson.*/&\nthickness = "8 mm"/; s/"half-space
 refused 'springs between the surfaces do not let go' 's/^\[meas/[interface]\nnormal_stiffness = "1 MPa\/mm"\n&/'
 sed '1,3!s/, .*/, -1/' lens_pull_off.csv >pulls.csv
 refused 'no value is positive' 's/lens_pull_off/pulls/'
+{ sed -n 1,3p lens_pull_off.csv; sed 1,3d lens_pull_off.csv | sort -n; } >sorted.csv
+refused 'as where approach and retraction are sorted together; write the rows in the order of time' 's/lens_pull_off/sorted/'
+sed 's/, "adhesion.work", "friction.shear_strength"/, "adhesion.work", "friction.coefficient"/' sliding.toml >coulomb.toml
+refuse_coulomb=$("$program" identify coulomb.toml --output refused 2>&1) && complain "Coulomb's law under tension"
+[[ $refuse_coulomb == *"carries tau_0 over the contact, and this law has mu"* ]] || complain "Coulomb: $refuse_coulomb"
 printf '%d files refused\n' "$n"
 finish

@@ -10,6 +10,7 @@
 
 #include "contact/base/error.h"
 #include "contact/bodies/indenter.h"
+#include "contact/bodies/shapes_of_revolution.h"
 #include "theory/adhesive/adhesive_layer.h"
 
 namespace tricontact::adhesive_curve_test {
@@ -96,6 +97,21 @@ TEST(AdhesiveCurve, PunchHoldsAsThatOfMaugisAndBarquins) {
     const double a = 1e-4;
     const double force = 2 * modulus * a * curve.at(a).detached;
     EXPECT_NEAR(force / std::sqrt(8 * pi * modulus * work * std::pow(a, 3)), 1, rounding);
+}
+
+// Rounded ever more sharply a punch comes to hold that, from above: the contact climbs its
+// rounding.
+TEST(AdhesiveCurve, OfARoundedPunchComesToThatOfMaugisAndBarquins) {
+    const double flat = 2e-3, punch = std::sqrt(8 * pi * modulus * work * std::pow(flat, 3));
+    const auto above = [&](double rounding_radius) {
+        const contact::RoundedPunch body(flat, rounding_radius);
+        return half_space_curve(body, modulus, work).pull_off().force / punch - 1;
+    };
+    EXPECT_GT(above(1), 2 * above(.1));
+    EXPECT_GT(above(.1), 2 * above(.01));
+    EXPECT_GT(above(.01), 0);
+    // The kink at the flat's edge is found to the step by which the least force is sought, 1e-5.
+    EXPECT_NEAR(above(1e-5), 0, 2e-5);
 }
 
 // A cone of the slope t = tan(beta): d = pi/2 a t - l, F = pi/2 E* t a^2 - 2 E* a l, so that it

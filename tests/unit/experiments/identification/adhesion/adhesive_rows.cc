@@ -19,6 +19,14 @@ TEST(AdhesiveRows, EndAtTheJumps) {
     EXPECT_TRUE(found.shows_jump);
     EXPECT_EQ(found.rows, (Rows{3, 4, 5, 6}));
     EXPECT_EQ(found.ways, Ways(4, contact));
+    EXPECT_EQ(found.n_onsets, 1);
+}
+
+// Rows of both branches, sorted by their depth.
+TEST(AdhesiveRows, ShowThatTheyAreSorted) {
+    const std::vector<double> depths{-3, -2, -2, -1, -1, 0, 0, 1},
+        forces{0, 0, -2.5, 0, -3, 0, -2, 1};
+    EXPECT_EQ(adhesive_rows(depths, forces, .01).n_onsets, 3);
 }
 
 // Noise is no tension, and then all rows count: apart before the first touch.

@@ -1,4 +1,5 @@
-// Adhesion that a rig states and no model of an identification has.
+// Adhesion that a rig states and the fit has not, and whether the theory of the one that it has
+// applies.
 
 #include <fmt/format.h>
 
@@ -6,6 +7,7 @@
 #include <cmath>
 
 #include "contact/half_space_scales.h"
+#include "experiments/identification/identification_models.h"
 #include "experiments/identification/identification_report.h"
 #include "report/format.h"
 #include "theory/adhesion.h"
@@ -71,6 +73,28 @@ std::optional<Verdict> left_out_adhesion(const IdentificationStudy& study) {
     return Verdict{
         wider - 1 > negligible_widening ? Verdict::Standing::violated : Verdict::Standing::holds,
         sentence + "."};
+}
+
+std::optional<Verdict> regime_of_adhesion(const IdentificationStudy& study) {
+    const IdentificationInput& input = study.input;
+    if (!input.rig.adhesion) return {};
+    const IdentifiedModel& model = reference_model(study);
+    const contact::Case c = rig_with(input, model.found.free, model.found.best()).as_case;
+    constexpr double least_of_short_range = 5;
+    const double tabor =
+        theory::tabor_parameter(c.indenter.radius, c.adhesion->work,
+                                c.materials().effective_modulus(), input.interatomic_distance);
+    const bool holds = tabor > least_of_short_range;
+    return Verdict{
+        holds ? Verdict::Standing::holds : Verdict::Standing::violated,
+        fmt::format("{} theory of Johnson, Kendall and Roberts, whose range is 0: Tabor's "
+                    "parameter of these values is {} at a distance of {}, and it needs 5{}.",
+                    holds ? "These values agree with the" : "These values do not agree with the",
+                    report::significant(tabor, 2),
+                    report::given_quantity(input.interatomic_distance, "m"),
+                    holds ? ""
+                          : "; below 0.1 the force of pull-off is 2 pi w R, so that w would be a "
+                            "quarter less")};
 }
 
 }  // namespace tricontact::experiments
