@@ -90,6 +90,10 @@ void require_comparable(const Case& c) {
             "path");
     c.require_rigid_interface("deviations from Hertz' contact");
     c.require_no_adhesion("deviations from Hertz' contact");
+    if (c.relaxation)
+        refuse(
+            "substrate.relaxation: deviations are those of elastic bodies; describe the relaxed "
+            "ones, without this section");
     if (!contact::is_hertz_round(c) && !c.is_line_contact())
         refuse(
             "indenter.shape: deviations are those from Hertz' contact; take a paraboloid, sphere "

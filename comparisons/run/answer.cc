@@ -14,6 +14,7 @@
 #include "comparisons/run/input_reading.h"
 #include "comparisons/run/path_section.h"
 #include "contact/models/model_kind.h"
+#include "contact/relaxing_case.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -137,8 +138,10 @@ std::string not_tested(const Case& c, const std::vector<Results>& results) {
                                          report::share(*d / *c.layer.thickness))
                            : "small strains");
     }
-    if (!c.relaxation)
-        list.emplace_back(c.has_rigid_substrate ? "an elastic indenter" : "an elastic substrate");
+    if (c.has_rigid_substrate && !contact::indenter_relaxes(c))
+        list.emplace_back("an elastic indenter");
+    if (!c.has_rigid_substrate && !contact::substrate_relaxes(c))
+        list.emplace_back("an elastic substrate");
     list.emplace_back(c.friction.is_coulomb()  ? "Coulomb friction of one coefficient"
                       : c.friction.remembers() ? "friction that depends on pressure and slip alone"
                                                : "friction that depends on the pressure alone");

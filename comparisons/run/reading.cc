@@ -9,6 +9,7 @@
 #include "comparisons/run/input_reading.h"
 #include "comparisons/strength/body_strength.h"
 #include "contact/models/model_kind.h"
+#include "contact/relaxing_case.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -107,6 +108,11 @@ std::string by_limit_sentence(const Summaries& summaries) {
         of_models(models, summaries));
 }
 
+std::string relaxing_body(const contact::Case& c) {
+    const std::string word = contact::relaxing_word(c);
+    return (word == "indenter" ? "an " : "a ") + word;
+}
+
 /// Closed form and models side by side. Where a substrate still relaxes, its shift is one of a
 /// stiffer body, and no closed form's.
 std::string static_sentence(const contact::Case& c, const Summaries& summaries,
@@ -127,9 +133,10 @@ std::string static_sentence(const contact::Case& c, const Summaries& summaries,
     const std::string list = fmt::format("{}", fmt::join(models, "; "));
     return (c.rolling ? "Before rolling: " : "") +
            (relaxed ? fmt::format("u_stat = {}; {}.", theory, list)
-                    : fmt::format("u_stat, {} after F_T has come, of a substrate that still "
+                    : fmt::format("u_stat, {} after F_T has come, of {} that still "
                                   "relaxes: {}. Relaxed it would be {}.",
-                                  report::given_quantity(c.load.hold, "s"), list, theory));
+                                  report::given_quantity(c.load.hold, "s"), relaxing_body(c), list,
+                                  theory));
 }
 
 /// By the loads of the model that leaves out least.

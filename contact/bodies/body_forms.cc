@@ -28,7 +28,7 @@ const std::vector<BodyForm>& forms() {
         {.word = "ball",
          .title = "ball",
          .shapes = {Shape::paraboloid, Shape::sphere},
-         .supports = {Support::plates}},
+         .supports = {Support::plates, Support::hub}},
         {.word = "cylinder",
          .title = "cylinder",
          .shapes = {Shape::cylinder},

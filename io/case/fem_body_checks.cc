@@ -122,6 +122,10 @@ void check_fem_body(const Case& c, const Document& document) {
     if (c.law != Case::Law::linear)
         refuse_body("at finite strains fem takes the indenter as rigid",
                     "leave it out, or set substrate.material to \"linear\"");
+    if (c.indenter.body->form == ElasticBody::Form::ball &&
+        c.indenter.body->support == ElasticBody::Support::hub)
+        refuse_body("fem meshes a ball between plates, none on a hub",
+                    "take support = \"plates\", or fem-axisymmetric");
     const bool in_file = c.indenter.body->form == ElasticBody::Form::mesh;
     if (in_file) check_meshes(c, document);
     if (c.of<fem::Settings>().mesh && !in_file)

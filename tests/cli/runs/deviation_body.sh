@@ -60,5 +60,7 @@ refused "--body: goes neither with --finite-strain nor with --no-runs" deviation
 refused "indenter.body is missing" deviation "$source_dir/examples/cases/rig_sphere_parallel.toml" --body
 refused "substrate.rigid: the size of a body is judged on a rigid plane" deviation \
     "$source_dir/examples/cases/cylinder_on_hub.toml" --body
+refused "substrate.relaxation: deviations are those of elastic bodies" deviation "$hemisphere" --body \
+    --set "substrate.relaxation.G2=1 MPa" --set "substrate.relaxation.eta=40 Pa s" --set substrate.relaxation.body=indenter
 refused "bodies are compared up to 0.35; reduce the load" deviation "$hemisphere" --body --set "load.indentation=2 mm"
 finish

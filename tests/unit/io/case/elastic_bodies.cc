@@ -84,7 +84,7 @@ TEST(ElasticBodies, AreRefusedWhereTheyDoNotFit) {
         message_of("shape = \"sphere\"\n" + elastic + "body = \"ball\"\nsupport = \"holder\"\n",
                    elastic),
         "indenter.support = \"holder\": the body \"ball\" is not held by "
-        "\"holder\"; take \"plates\"");
+        "\"holder\"; take \"plates\" or \"hub\"");
     EXPECT_EQ(message_of(hemisphere + "hub_radius = \"1 mm\"\n", elastic),
               "indenter.hub_radius = \"1 mm\": the body is not held by a hub; omit "
               "it, or take indenter.support = \"hub\"");
