@@ -254,8 +254,11 @@ std::vector<double> from_zero_depth(
     const IdentificationInput::Table& table, const IdentifiedRig& rig,
     const std::vector<double>& given,
     const std::function<std::vector<double>(const std::vector<double>&)>& values) {
+    // Of depths and forces alone: times and ratios begin at 0.
+    const bool presses = table.measurement == Measurement::force_indentation ||
+                         table.measurement == Measurement::contact_radius;
+    if (!table.has_free_zero && (!presses || std::ranges::min(given) > 0)) return values(given);
     const double zero = table.has_free_zero ? rig.zero_depths.at(table.place) : 0;
-    if (!table.has_free_zero && std::ranges::min(given) > 0) return values(given);
     // Forces go with the depth's power 3/2 at least: below this of the deepest there is none.
     constexpr double least = 1e-6;
     const double deepest = std::ranges::max(given) - zero;
