@@ -118,7 +118,7 @@ class Search {
   public:
     Search(const contact::Compliance& compliance, const SteadyProblem& problem,
            const ChangingFriction& friction, double tolerance, SteadySolution& solution,
-           std::vector<double>& left, const SteadySolution* other)
+           std::vector<double>& left, SlipStart from, const SteadySolution* other)
         : compliance_(compliance),
           problem_(problem),
           friction_(friction),
@@ -131,7 +131,7 @@ class Search {
         for (const double one : problem.bound)
             if (one > 0) bound += one, ++n;
         const double local = compliance.local_tangential() / compliance.points().spacing[0];
-        if (friction.slopes) alone_ = with_its_neighbours * slip_alone();
+        if (from == SlipStart::slow && friction.slopes) alone_ = with_its_neighbours * slip_alone();
         if (n > 0) steepness_ = std::max(1., friction.steepest * local * bound / n);
     }
 
@@ -142,7 +142,8 @@ class Search {
         // Change. From another state's tractions the first iterate shall not stay where they are.
         double before = other_ ? .1 : 1;
         for (int k = 0; k < contact::OneSidedFixedPoint::max_iterations; ++k) {
-            const double share = before > far_off * range_ ? of_first_changes : of_change;
+            const double share =
+                alone_ > 0 && before > far_off * range_ ? of_first_changes : of_change;
             const double asked = std::max(tolerance_, share / steepness_ * before);
             solve(asked, k == 0);
             const std::vector<double> next = friction_next();
@@ -212,12 +213,13 @@ class Search {
 
     /// What the slip of this state leaves of friction, each point with the slip that it adds to its
     /// own as it lets go, by itself: on the same side as without, in a fraction of the iterates.
+    /// From fast slip, where points come to rest instead, some would too early.
     std::vector<double> friction_next() const {
         constexpr int times = 6;
         SteadySolution here = told();
         const contact::TangentialField slip = here.slip;
         std::vector<double> next = friction_.left(here);
-        if (!friction_.slopes) return next;
+        if (alone_ == 0) return next;
         for (int k = 0; k < times; ++k) {
             for (std::size_t i = 0; i < next.size(); ++i) {
                 const double length = contact::norm(slip.at(i));
@@ -258,7 +260,8 @@ class Search {
         double along = 0;
         for (std::size_t i = 0; i < left.size(); ++i)
             along += problem_.bound[i] * (left[i] - left_[i]) * (next[i] - left_[i]);
-        const double unknown = of_change * change / factor;  // by the tolerance of the state
+        const double unknown =
+            alone_ > 0 ? of_change * change / factor : 0;  // by the tolerance of the state
         if (!(along > 0) || largest_change(left) > 2 * (change + unknown) / (1 - factor)) return {};
         found.iterations += solution_.iterations;
         solution_ = std::move(found);
@@ -274,7 +277,7 @@ class Search {
     std::vector<double>& left_;
     const SteadySolution* const other_;
     const double range_;    // of what is left
-    double alone_ = 0;      // see slip_alone
+    double alone_ = 0;      // see slip_alone; 0: points follow together alone
     double steepness_ = 1;  // change of mu over the residual of the state that it follows [-]
 };
 
@@ -286,7 +289,7 @@ double solve_steady_rated(const contact::Compliance& compliance, const SteadyPro
                           const SteadySolution* other) {
     if (left.empty())
         left.assign(problem.bound.size(), from == SlipStart::slow ? 1 : friction.in_the_end);
-    return Search(compliance, problem, friction, tolerance, solution, left, other).run();
+    return Search(compliance, problem, friction, tolerance, solution, left, from, other).run();
 }
 
 }  // namespace tricontact::rolling
