@@ -43,6 +43,8 @@ Json result_json(const WearResult& result) {
     json.update(state_json(result.last()));
     json.update({{"worn_volume_bar_m3", result.volume_bar()},
                  {"worn_depth_bar_m", result.depth_bar()},
+                 {"worn_shakedown_limit_bar",
+                  result.limits_of_cells ? Json(result.limits_of_cells->second) : Json()},
                  {"why_no_cells", result.why_no_cells.empty() ? Json() : Json(result.why_no_cells)},
                  {"cycles_computed", result.history.cycles_computed},
                  {"states", result.history.states.size()}});
@@ -103,9 +105,13 @@ std::string limit_sentence(const WearResult& r) {
     const double before = r.history.states.front().cycle.shakedown_limit,
                  after = r.last().cycle.shakedown_limit;
     if (!std::isfinite(before) || !std::isfinite(after)) return {};
+    const auto told = [&](double limit, double bar) {
+        return r.limits_of_cells ? report::with_error(limit, bar) : report::significant(limit, 4);
+    };
+    const auto [of_new, of_worn] = r.limits_of_cells.value_or(std::pair(0., 0.));
     return fmt::format(
         "Limit of shakedown of the worn profile: F_T/(mu F_N) = {}; of the new one {}.",
-        report::significant(after, 4), report::significant(before, 4));
+        told(after, of_worn), told(before, of_new));
 }
 
 std::string wear_text(const WearReport& report) {

@@ -25,6 +25,8 @@ struct WearResult {
     /// What cells leave in volume and largest depth, by a run on cells twice as large; empty: not
     /// computed, for the reason.
     std::optional<double> volume_of_cells, depth_of_cells;
+    /// The same in the limit of shakedown of the new profile and of the worn one [-].
+    std::optional<std::pair<double, double>> limits_of_cells;
     std::string why_no_cells;
 
     const WornState& last() const { return history.states.back(); }

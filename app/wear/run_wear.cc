@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -83,6 +84,11 @@ void add_cells_error(const std::string& model, const Case& c, WearResult& result
         const wear::WornState& last = history.states.back();
         result.volume_of_cells = std::abs(last.volume - result.last().volume);
         result.depth_of_cells = std::abs(last.depth - result.last().depth);
+        const auto limit_of = [](const wear::WornState& s) { return s.cycle.shakedown_limit; };
+        if (std::isfinite(limit_of(last)) && std::isfinite(limit_of(result.last())))
+            result.limits_of_cells = {std::abs(limit_of(history.states.front()) -
+                                               limit_of(result.history.states.front())),
+                                      std::abs(limit_of(last) - limit_of(result.last()))};
     });
 }
 

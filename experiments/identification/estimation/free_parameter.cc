@@ -1,5 +1,7 @@
 #include "experiments/identification/estimation/free_parameter.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,11 @@ namespace {
 // Around the guess of E, and of mu over the least one: whatever lies beyond cannot be told.
 constexpr double widest_young = 1e3, widest_friction = 1e3;
 constexpr double bound_margin = 1e-6;
+constexpr int usual_digits = 3;
+
+std::string text_of(const FreeParameter& p, double v, int digits) {
+    return p.unit.empty() ? report::significant(v, digits) : report::quantity(v, p.unit, digits);
+}
 
 }  // namespace
 
@@ -92,7 +99,19 @@ bool FreeParameter::is_at_bound(double v) const {
 }
 
 std::string FreeParameter::shown(double v) const {
-    return unit.empty() ? report::significant(v, 3) : report::quantity(v, unit, 3);
+    return text_of(*this, v, usual_digits);
+}
+
+std::string FreeParameter::shown(double v, double low, double high) const {
+    // The first digit of the interval's half width is shown.
+    constexpr int most = 8;
+    const double ratio = (high - low) / 2 / std::max(std::abs(low), std::abs(high));
+    const int digits =
+        ratio > 0 && std::isfinite(ratio)
+            ? std::clamp(1 - static_cast<int>(std::floor(std::log10(ratio))), usual_digits, most)
+            : usual_digits;
+    return fmt::format("{} ({} to {})", text_of(*this, v, digits), text_of(*this, low, digits),
+                       text_of(*this, high, digits));
 }
 
 FreeParameter young_parameter(double start) {

@@ -47,6 +47,8 @@ struct FreeParameter {
     bool is_at_bound(double value) const;
     /// "4.20 MPa", "0.570".
     std::string shown(double value) const;
+    /// "4.20 MPa (4.11 MPa to 4.29 MPa)", with as many digits as tell the ends apart.
+    std::string shown(double value, double low, double high) const;
 };
 
 /// Young's modulus [Pa], from this to that part of the start.

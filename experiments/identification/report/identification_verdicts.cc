@@ -193,8 +193,7 @@ std::string shown(const IdentifiedModel& model, std::size_t k) {
     if (is_open_above && is_open_below) return "not identifiable";
     if (is_open_above && std::isinf(high)) return "above " + p.shown(low);
     if (is_open_below) return "below " + p.shown(high);
-    return fmt::format("{} ({} to {})", p.shown(model.found.parameters[k].value), p.shown(low),
-                       p.shown(high));
+    return p.shown(model.found.parameters[k].value, low, high);
 }
 
 double input_standard_error(const IdentifiedModel& model, std::size_t k) {

@@ -54,8 +54,7 @@ std::string found_text(const Identification& found, std::size_t k) {
     const FreeParameter& p = found.free[k];
     const auto [low, high] = found.parameters[k].likelihood;
     if (!std::isfinite(high)) return fmt::format("{} above {}", p.symbol, p.shown(low));
-    return fmt::format("{} = {} ({} to {})", p.symbol, p.shown(found.parameters[k].value),
-                       p.shown(low), p.shown(high));
+    return p.symbol + " = " + p.shown(found.parameters[k].value, low, high);
 }
 
 std::vector<Verdict> interface_verdicts(const IdentificationStudy& study) {

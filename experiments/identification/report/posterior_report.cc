@@ -11,9 +11,8 @@ std::string posterior_sentence(const IdentifiedModel& model) {
     std::string text = model.name + ": posterior";
     for (std::size_t k = 0; k < model.found.free.size(); ++k) {
         const FreeParameter& one = model.found.free[k];
-        text += fmt::format("{} {} = {} ({} to {})", k == 0 ? "" : ",", one.symbol,
-                            one.shown(p.median[k]), one.shown(p.interval[k].low),
-                            one.shown(p.interval[k].high));
+        text += fmt::format("{} {} = {}", k == 0 ? "" : ",", one.symbol,
+                            one.shown(p.median[k], p.interval[k].low, p.interval[k].high));
     }
     if (p.median.size() == 2)
         text += ", correlation " + report::significant(p.correlation[0][1], 2);
