@@ -165,7 +165,9 @@ features = [
     feature("yield stresses", "substrate.yield_stress indenter.yield_stress", "yield_stress|strength", {}, {"substrate.yield_stress": '"1 MPa"'}),
     feature("springs of the interface", "interface.normal_stiffness interface.tangential_stiffness", "interface", {},
             {"interface.normal_stiffness": '"20 MPa/mm"', "interface.tangential_stiffness": '"10 MPa/mm"'}),
-    feature("adhesion", "adhesion.*", "adhesion|attract|contact.coupling|[adhesion]|rolling|[rolling]", {**still}, {**still, "adhesion.work": '"0.5 J/m2"'}),
+    feature("adhesion", "adhesion.*", "adhesion|attract|contact.coupling|[adhesion]|rolling|[rolling]", {**still}, {**still, "adhesion.work": '"0.5 J/m2"'},
+            over_for={"identify": {"load.*": None, "substrate.thickness": None, "measurement.static_shift": None, "measurement.models": '["half-space"]',
+                                   "measurement.force_indentation": '"curve.csv"'}}),
     feature("friction falling with the slip", "friction.rate.*", "friction.rate|friction|Coulomb", {}, falling,
             other_for={"run rolling on": {**falling, "tractive_rolling.speed": '"1 m/s"', "tractive_rolling.distance": None}}),
     feature("friction falling with the way of slip", "friction.weakening.*", "friction.weakening|friction|Coulomb|[rolling]",
@@ -300,5 +302,11 @@ def files():
         return "r [mm], h [um]\n" + "".join(f"{r / 10}, {5 * r * r / radius:.6g}\n" for r in range(0, 81, 2))
 
     shift = "tangential_force [N], shift [um]\n" + "".join(f"{f}, {f * 6 * (1 + f / 60):.4g}\n" for f in range(1, 8))
+    # Of a ball under tension, E* = 6.9 MPa, w = 0.5 J/m2 (Johnson, Kendall and Roberts 1971).
+    radius, modulus, work = 0.04, 6.9e6, 0.5
+    jkr = [((a * a / radius - (2 * 3.14159 * a * work / modulus) ** 0.5) * 1e6,
+            4 * modulus * a**3 / (3 * radius) - (8 * 3.14159 * modulus * work * a**3) ** 0.5)
+           for a in (k * 2e-4 for k in range(8, 20))]
+    curve = "indentation [um], normal_force [N]\n" + "".join(f"{d:.6g}, {f:.6g}\n" for d, f in jkr)
     stripes = "x [mm], factor\n-90, 1\n-0.5, 1\n0.5, {}\n90, {}\n"
-    return {"friction.csv": stripes.format(1.1, 1.1), "friction_2.csv": stripes.format(0.9, 0.9), "map.txt": height_map, "profile.csv": profile(40), "profile_2.csv": profile(60), "shift.csv": shift}
+    return {"friction.csv": stripes.format(1.1, 1.1), "friction_2.csv": stripes.format(0.9, 0.9), "map.txt": height_map, "profile.csv": profile(40), "profile_2.csv": profile(60), "shift.csv": shift, "curve.csv": curve}
