@@ -106,7 +106,7 @@ namespace {
 // changes are a good part of all that mu may lose; and from which of them on Newton's method is
 // tried, with how many steps.
 constexpr double of_change = .3;
-constexpr double of_first_changes = .6, far_off = .3;
+constexpr double of_first_changes = .9, far_off = .3;
 constexpr double close_by = .06;
 constexpr int newton_steps = 8;
 // Those next to a point that lets go let go as well.
@@ -141,9 +141,10 @@ class Search {
         int n_tries = 0, next_try = 0;
         // Change. From another state's tractions the first iterate shall not stay where they are.
         double before = other_ ? .1 : 1;
+        bool is_far = alone_ > 0;
         for (int k = 0; k < contact::OneSidedFixedPoint::max_iterations; ++k) {
-            const double share =
-                alone_ > 0 && before > far_off * range_ ? of_first_changes : of_change;
+            is_far = is_far && before > far_off * range_;
+            const double share = is_far ? of_first_changes : of_change;
             const double asked = std::max(tolerance_, share / steepness_ * before);
             solve(asked, k == 0);
             const std::vector<double> next = friction_next();
