@@ -179,32 +179,22 @@ std::string freefem_pair_text(const DeckModel& model, const BodyPair& pair, cons
     const DeckMesh::Point& middle = pair.lower.nodes[pair.lower.contact.front()[0]];
     return filled(
         freefem_pair_template,
-        {{"lower", freefem_body(model, pair.lower, "lower", job, family.elements)},
-         {"upper", freefem_body(model, pair.upper, "upper", job, family.elements)},
-         {"name", model.name},
-         {"n", std::to_string(run.n)},
-         {"a", number(model.a)},
-         {"job", job},
-         {"points", number_list(pressure_points(model, pair.lower))},
-         {"gap", model.gap},
-         {"along", is_hole ? radius + "*atan2(x, -y)" : "x"},
-         {"nx", is_hole ? "x/sqrt(x*x + y*y)" : "0."},
-         {"ny", is_hole ? "y/sqrt(x*x + y*y)" : "-1."},
-         {"stretch", is_hole ? radius + "/sqrt(x*x + y*y)" : "1."},
-         {"weight", is_plane ? "1." : "2*pi*x"},
-         {"by_force", is_force ? "true" : "false"},
-         {"target", number(model.last().normal * (is_force ? model.share() : 1))},
-         {"share", is_plane ? "2*" : ""},
-         {"indentation",
-          model.has_depth ? "table << \"# indentation = \" << depth << \" mm\" << endl;\n" : ""},
-         {"middle_x", number(middle[0])},
-         {"middle_y", number(middle[1])},
-         {"code", family.code},
-         {"element", family.elements},
-         {"force_unit", is_plane ? "N/mm" : "N"},
-         {"size", number(run.size)},
-         {"column", is_plane ? "x" : "r"},
-         {"place", is_hole ? fmt::format("{0}*sin(S[a]/{0})", radius) : "S[a]"}});
+        pair_values(
+            model, pair, run, family, job,
+            {{"lower", freefem_body(model, pair.lower, "lower", job, family.elements)},
+             {"upper", freefem_body(model, pair.upper, "upper", job, family.elements)},
+             {"along", is_hole ? radius + "*atan2(x, -y)" : "x"},
+             {"nx", is_hole ? "x/sqrt(x*x + y*y)" : "0."},
+             {"ny", is_hole ? "y/sqrt(x*x + y*y)" : "-1."},
+             {"stretch", is_hole ? radius + "/sqrt(x*x + y*y)" : "1."},
+             {"weight", is_plane ? "1." : "2*pi*x"},
+             {"by_force", is_force ? "true" : "false"},
+             {"indentation", model.has_depth
+                                 ? "table << \"# indentation = \" << depth << \" mm\" << endl;\n"
+                                 : ""},
+             {"middle_x", number(middle[0])},
+             {"middle_y", number(middle[1])},
+             {"place", is_hole ? fmt::format("{0}*sin(S[a]/{0})", radius) : "S[a]"}}));
 }
 
 }  // namespace

@@ -164,6 +164,27 @@ std::string plain_mesh(const BodyMesh& body) {
     return text;
 }
 
+std::vector<TemplateValue> pair_values(const DeckModel& model, const BodyPair& pair,
+                                       const DeckRun& run, const DeckFamily& family,
+                                       const std::string& job, std::vector<TemplateValue> own) {
+    const bool is_plane = model.shape == DeckModel::Shape::plane;
+    const double share = model.last().is_force ? model.share() : 1;
+    own.insert(own.end(), {{"name", model.name},
+                           {"n", std::to_string(run.n)},
+                           {"a", number(model.a)},
+                           {"job", job},
+                           {"points", number_list(pressure_points(model, pair.lower))},
+                           {"gap", model.gap},
+                           {"target", number(model.last().normal * share)},
+                           {"share", is_plane ? "2*" : ""},
+                           {"code", family.code},
+                           {"element", family.elements},
+                           {"force_unit", is_plane ? "N/mm" : "N"},
+                           {"size", number(run.size)},
+                           {"column", is_plane ? "x" : "r"}});
+    return own;
+}
+
 void check_pair_deck(const DeckModel& model, const char* code) {
     if (model.mu > 0 || model.is_shifted() || model.steps.size() > 1)
         throw contact::InputError(std::string("deck: two bodies of a deck for ") + code +

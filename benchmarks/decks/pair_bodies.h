@@ -3,7 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/decks/deck_family.h"
 #include "benchmarks/decks/deck_model.h"
+#include "benchmarks/decks/script_text.h"
 
 namespace tricontact::benchmarks {
 
@@ -32,6 +34,11 @@ std::string freefem_mesh(const BodyMesh& body);
 
 /// Nodes, elements, sets, a line each, for a script of Python.
 std::string plain_mesh(const BodyMesh& body);
+
+/// What all scripts of two bodies are filled with, and `own`, what one of them is as well.
+std::vector<TemplateValue> pair_values(const DeckModel& model, const BodyPair& pair,
+                                       const DeckRun& run, const DeckFamily& family,
+                                       const std::string& job, std::vector<TemplateValue> own);
 
 /// What all scripts of two bodies refuse: friction, shifts, more than one step.
 void check_pair_deck(const DeckModel& model, const char* code);
