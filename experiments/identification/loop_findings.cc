@@ -39,11 +39,7 @@ struct TableErrors {
     double quantile = 0;         // of the intervals, in standard errors
     double widening = 1;         // of residuals with a pattern
 
-    LoopRows rows(const MeasuredLoop& loop) const {
-        LoopRows all = rows_of(table, loop);
-        all.errors = std::span(errors).subspan(loop.first, loop.n);
-        return all;
-    }
+    LoopRows rows(const MeasuredLoop& loop) const { return rows_of(table, loop, errors); }
 };
 
 /// The measured polygon and what the fitted loop has beyond the chords of its rows; errors of the
@@ -65,34 +61,6 @@ statistics::Estimate energy_of(const TableErrors& at, const LoopRows& rows, cons
 
 bool is_of_friction(const FreeParameter& p) {
     return is_of_law(p.key) || p.key == drift_key;
-}
-
-/// Variance of a value of the rig by the errors of the parameters that count, with their
-/// correlations; infinite if one of friction that counts is not told.
-double shared_variance(const IdentificationInput& input, const Identification& found,
-                       const std::function<bool(const FreeParameter&)>& counts,
-                       const std::function<double(const IdentifiedRig&)>& value) {
-    const auto best = found.best();
-    std::vector<double> slopes(found.free.size(), 0.);
-    for (std::size_t k = 0; k < found.free.size(); ++k) {
-        const FreeParameter& p = found.free[k];
-        if (!counts(p)) continue;
-        const double error = found.logarithmic.standard_errors[k];
-        if (!std::isfinite(error) && is_of_law(p.key)) return contact::infinity;
-        if (!std::isfinite(error) || !(error > 0)) continue;
-        const double change = std::min(largest_change, error);
-        auto above = best, below = best;
-        above[k] = std::min(p.high, p.changed(best[k], change));
-        below[k] = std::max(p.low, p.changed(best[k], -change));
-        slopes[k] = (value(rig_with(input, found.free, above)) -
-                     value(rig_with(input, found.free, below))) /
-                    p.change(below[k], above[k]);
-    }
-    double variance = 0;
-    const auto& c = found.logarithmic.adjusted;
-    for (std::size_t k = 0; k < slopes.size(); ++k)
-        for (std::size_t l = 0; l < slopes.size(); ++l) variance += slopes[k] * c[k][l] * slopes[l];
-    return std::max(0., variance);
 }
 
 void find_friction(const IdentificationInput& input, const Identification& found,
@@ -199,6 +167,32 @@ LoopSeries series_of(std::span<const LoopFinding> loops, double confidence, doub
 }
 
 }  // namespace
+
+double shared_variance(const IdentificationInput& input, const Identification& found,
+                       const std::function<bool(const FreeParameter&)>& counts,
+                       const std::function<double(const IdentifiedRig&)>& value) {
+    const auto best = found.best();
+    std::vector<double> slopes(found.free.size(), 0.);
+    for (std::size_t k = 0; k < found.free.size(); ++k) {
+        const FreeParameter& p = found.free[k];
+        if (!counts(p)) continue;
+        const double error = found.logarithmic.standard_errors[k];
+        if (!std::isfinite(error) && is_of_law(p.key)) return contact::infinity;
+        if (!std::isfinite(error) || !(error > 0)) continue;
+        const double change = std::min(largest_change, error);
+        auto above = best, below = best;
+        above[k] = std::min(p.high, p.changed(best[k], change));
+        below[k] = std::max(p.low, p.changed(best[k], -change));
+        slopes[k] = (value(rig_with(input, found.free, above)) -
+                     value(rig_with(input, found.free, below))) /
+                    p.change(below[k], above[k]);
+    }
+    double variance = 0;
+    const auto& c = found.logarithmic.adjusted;
+    for (std::size_t k = 0; k < slopes.size(); ++k)
+        for (std::size_t l = 0; l < slopes.size(); ++l) variance += slopes[k] * c[k][l] * slopes[l];
+    return std::max(0., variance);
+}
 
 LoopFindings loop_findings(const IdentificationInput& input, const IdentificationTask& task,
                            const Identification& found) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,6 +62,12 @@ struct LoopFindings {
     std::vector<LoopFinding> loops;
     std::vector<LoopSeries> series;
 };
+
+/// Variance of a value of the rig by the errors of the parameters that count, with their
+/// correlations; infinite if a number of friction that counts is not told.
+double shared_variance(const IdentificationInput& input, const Identification& found,
+                       const std::function<bool(const FreeParameter&)>& counts,
+                       const std::function<double(const IdentifiedRig&)>& value);
 
 /// Of a model's fit to the tables of friction loops.
 LoopFindings loop_findings(const IdentificationInput& input, const IdentificationTask& task,

@@ -6,6 +6,7 @@
 #include "contact/base/error.h"
 #include "experiments/identification/law_parameters.h"
 #include "experiments/identification/loop_values.h"
+#include "experiments/identification/loops/loop_stiffness.h"
 #include "experiments/identification/rig_guesses.h"
 #include "io/case/case_keys.h"
 #include "io/case/measurement_models.h"
@@ -21,35 +22,16 @@ using Input = IdentificationInput;
 using Table = Input::Table;
 using Measurement = Input::Measurement;
 
-// Of the way of a branch, over which the loop is as stiff as it gets.
-constexpr double stiff_part = .3;
 // Of the stiffness seen, below which no rig is looked for, and above which it is rigid.
 constexpr double softest_rig = .3, stiffest_rig = 1e5;
 constexpr std::size_t least_cycles = 3;
 
-/// dF/dU [N/m] behind the reversals: of the straight line through these rows of both branches.
+/// dF/dU [N/m] behind the reversals; of rows that show none of both reversals.
 double stiffness_of(const LoopRows& rows) {
-    double sum = 0;
-    int n_branches = 0;
-    for (const bool rises : {true, false}) {
-        double n = 0, u = 0, f = 0, uu = 0, uf = 0;
-        for (std::size_t i = 0; i < rows.shifts.size(); ++i) {
-            const double x = rows.shifts[i] - rows.loop.centre;
-            const double way = (rows.loop.amplitude + (rises ? x : -x)) / rows.loop.amplitude / 2;
-            if (rows.rises[i] != rises || way > stiff_part) continue;
-            n += 1;
-            u += x;
-            f += rows.forces[i];
-            uu += x * x;
-            uf += x * rows.forces[i];
-        }
-        const double spread = n * uu - u * u, slope = (n * uf - u * f) / spread;
-        if (!(n > 2) || !(spread > 0) || !(slope > 0)) continue;
-        sum += slope;
-        ++n_branches;
-    }
+    const auto weights = initial_stiffness(rows, stiff_part);
+    const double slope = weights ? weighted(*weights, rows.forces) : 0;
     const auto [least, most] = std::ranges::minmax(rows.forces);
-    return n_branches > 0 ? sum / n_branches : (most - least) / (2 * rows.loop.amplitude);
+    return slope > 0 ? slope : (most - least) / (2 * rows.loop.amplitude);
 }
 
 }  // namespace
@@ -74,9 +56,6 @@ void check_loop_tables(const Input& input, const std::vector<std::string>& find,
                    "loops are evaluated on their own, and there is " +
                        std::string(key_of(table.measurement)),
                    "identify that in a file of its own");
-    if (!input.laws.empty())
-        refuse("measurement.laws", "loops find the numbers of one law, that of [friction]",
-               "name its numbers in measurement.find, and try laws in files of their own");
     for (const std::string& model : input.models)
         if (!io::measurement_model(model).knows_laws)
             refuse("measurement.models",
@@ -85,9 +64,9 @@ void check_loop_tables(const Input& input, const std::vector<std::string>& find,
     if (input.models.size() > 1)
         refuse("measurement.models", "loops are evaluated by one model",
                "take models = [\"half-space\"] or [\"layer\"]");
-    if (std::ranges::none_of(find, is_of_law))
+    if (input.laws.empty() && std::ranges::none_of(find, is_of_law))
         refuse("measurement.find", "loops find friction beside whatever else",
-               "add friction.coefficient");
+               "add friction.coefficient, or measurement.laws");
     for (const std::string& key : find)
         if (key != "substrate.young" && key != rig_stiffness_key && !is_of_law(key))
             refuse("measurement.find", "friction_loop does not determine " + key,

@@ -33,6 +33,12 @@ LoopRows rows_of(const Table& table, const MeasuredLoop& loop) {
             {begin, begin + static_cast<std::ptrdiff_t>(loop.n)}};
 }
 
+LoopRows rows_of(const Table& table, const MeasuredLoop& loop, const std::vector<double>& errors) {
+    LoopRows rows = rows_of(table, loop);
+    rows.errors = std::span(errors).subspan(loop.first, loop.n);
+    return rows;
+}
+
 double load_of(const MeasuredLoop& loop, const contact::Case& rig) {
     return loop.normal_force > 0 ? loop.normal_force : *rig.load.normal_force;
 }

@@ -41,12 +41,6 @@ std::string cycles_text(double first, double last) {
                          : fmt::format("cycles {:.0f} to {:.0f}", first, last);
 }
 
-std::string place_of(const LoopSeries& series) {
-    return fmt::format(
-        "{}, F_N = {}, amplitude {}", cycles_text(series.first_cycle, series.last_cycle),
-        report::quantity(series.normal_force, "N", 3), report::quantity(series.shift, "m", 3));
-}
-
 /// What separates the regime from the next one.
 std::string reason_of(const LoopSeries& series) {
     if (series.regime == "stick")
@@ -61,9 +55,9 @@ Verdict regime_verdict(const LoopSeries& series) {
     const bool is_sure = series.confidence >= sure;
     return {is_sure ? finding : not_resolved,
             fmt::format("Regime ({}): {}{}, confidence {}; {}. Energy per cycle {}.",
-                        place_of(series), is_sure ? "" : "most likely ", words_of(series.regime),
-                        report::share(std::max(0., series.confidence), 3), reason_of(series),
-                        range_text(series.energy, "J"))};
+                        loop_series_text(series), is_sure ? "" : "most likely ",
+                        words_of(series.regime), report::share(std::max(0., series.confidence), 3),
+                        reason_of(series), range_text(series.energy, "J"))};
 }
 
 std::vector<Verdict> drift_verdicts(const IdentifiedModel& model, const LoopFindings& findings) {
@@ -146,6 +140,12 @@ report::DocumentTable block_table(const LoopFindings& findings) {
 }
 
 }  // namespace
+
+std::string loop_series_text(const LoopSeries& series) {
+    return fmt::format(
+        "{}, F_N = {}, amplitude {}", cycles_text(series.first_cycle, series.last_cycle),
+        report::quantity(series.normal_force, "N", 3), report::quantity(series.shift, "m", 3));
+}
 
 std::vector<Verdict> loop_verdicts(const IdentificationStudy& study) {
     if (!study.loops) return {};

@@ -55,16 +55,11 @@ beside "loops find friction beside whatever else; add friction.coefficient" 's/"
 beside "friction_loop does not determine substrate.poisson" 's/"friction.coefficient"/&, "substrate.poisson"/'
 beside "loops are evaluated on their own, and there is measurement.static_shift" 's/^friction_loop/static_shift = "shift.csv"\n&/'
 beside "the rows of friction_loop state their own normal forces; omit it" 's/^\[measurement\]/[load]\nnormal_force = "300 N"\n&/'
-beside "loops find the numbers of one law" 's/^models/laws = ["coulomb", "shear-strength"]\n&/; s/"friction.coefficient", //'
-beside "in loops, a rigid indenter is computed" 's/"half-space"/"layer"/; s/^\[substrate\].*/&\nthickness = "8 mm"/; s/^\[measurement\]/[contact]\ncoupling = false\n&/'
+beside "each of which finds its own numbers" 's/^find/laws = ["coulomb", "shear-strength"]\n&/'
+beside "in loops, a rigid indenter is computed" 's/"half-space"/"layer"/; s/^\[substrate\].*/&\nthickness = "8 mm"/'
 beside "loops are evaluated by half-space or layer, not by bem-layer" 's/"half-space"/"bem-layer"/; s/^\[substrate\].*/&\nthickness = "8 mm"/'
 beside "loops are evaluated by one model" 's/"half-space"/&, "layer"/; s/^\[substrate\].*/&\nthickness = "8 mm"/'
 sed 's/^friction_loop/static_shift/' fretting_loops.toml >beside.toml
 refused "the rig's stiffness is in series with the contact in friction_loop alone" identify "$work/beside.toml"
 
-# experiment names the command that reads loops.
-cp "$source_dir"/examples/records/synthetic_shakedown.toml record.toml
-sed -i 's/^runs = .*/runs = ["fretting_loops.csv"]/' record.toml
-refused "has a column cycle, as friction loops have" experiment "$work/record.toml"
-refused "tables of [measurement] are evaluated by tricontact identify" experiment "$work/fretting_loops.toml"
 finish

@@ -12,7 +12,7 @@
 #include "experiments/identification/loop_findings.h"
 #include "experiments/identification/loops/measured_loop.h"
 #include "experiments/identification/row_weights.h"
-#include "tests/random/driven_loop.h"
+#include "tests/random/loops/driven_loop.h"
 #include "tests/random/random_rig.h"
 
 // Fretting rigs drawn at random and what identify finds of their loops, whatever makes these. A rig

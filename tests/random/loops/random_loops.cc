@@ -5,8 +5,8 @@
 // and drift are found together: intervals of 95 % hold in 93 to 97 %, within the scatter of the
 // draws, those of energies and of friction over the cycles as well; regimes are named rightly in
 // 97 %. usage: random_loops SEED N
-#include "tests/random/loop_draws.h"
-#include "tests/random/loop_rig.h"
+#include "tests/random/loops/loop_draws.h"
+#include "tests/random/loops/loop_rig.h"
 #include "tests/random/seeded_main.h"
 
 int main(int argc, char** argv) {

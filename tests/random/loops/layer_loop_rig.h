@@ -6,7 +6,7 @@
 #include "contact/solvers/control.h"
 #include "experiments/identification/loop_values.h"
 #include "mdr/layer_model.h"
-#include "tests/random/driven_loop.h"
+#include "tests/random/loops/driven_loop.h"
 
 namespace tricontact {
 

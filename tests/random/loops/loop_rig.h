@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contact/case.h"
-#include "tests/random/driven_loop.h"
+#include "tests/random/loops/driven_loop.h"
 
 namespace tricontact {
 
