@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "contact/base/error.h"
+#include "experiments/identification/identification_checks.h"
 #include "experiments/identification/law_parameters.h"
 #include "experiments/identification/loop_values.h"
 #include "experiments/identification/loops/loop_stiffness.h"
@@ -32,6 +34,38 @@ double stiffness_of(const LoopRows& rows) {
     const double slope = weights ? weighted(*weights, rows.forces) : 0;
     const auto [least, most] = std::ranges::minmax(rows.forces);
     return slope > 0 ? slope : (most - least) / (2 * rows.loop.amplitude);
+}
+
+/// What loops of a line contact determine. A half-space under a line load has no shift of its own:
+/// it goes with the logarithm of the size of the bodies, in proportion to the force, as the rig's
+/// does.
+void check_lines(const Input& input, const std::vector<std::string>& find,
+                 const io::Document& document) {
+    const auto refuse = [&](const char* key, const char* rule, const char* remedy) {
+        io::refuse(document, key, rule, remedy);
+    };
+    if (!input.laws.empty())
+        refuse("measurement.laws", "loops of cylinders are evaluated under Coulomb's law",
+               "leave it out, and find friction.coefficient");
+    for (const std::string& key : find)
+        if (is_of_law(key) && key != coefficient_key)
+            refuse("measurement.find", "loops of cylinders are evaluated under Coulomb's law",
+                   "find friction.coefficient");
+    if (document.find(strength_key) || document.find(strength_limit_key) ||
+        document.find(exponent_key))
+        refuse("indenter.shape", "loops of cylinders are evaluated under Coulomb's law",
+               "leave out what [friction] has beside its coefficient");
+    if (document.find_section("interface"))
+        refuse("indenter.shape", "loops of cylinders are those of a rigid interface",
+               "leave out [interface]");
+    if (io::measurement_model(input.models.front()).is_layer)
+        refuse("measurement.models", "loops of cylinders are evaluated on a half-space",
+               "take models = [\"half-space\"]");
+    if (!std::ranges::count(find, rig_stiffness_key))
+        refuse("measurement.find",
+               "the shift of a line contact goes with the size of its bodies, which nothing tells "
+               "from the rig's",
+               "add rig.tangential_stiffness, which is found as that of both");
 }
 
 }  // namespace
@@ -71,6 +105,7 @@ void check_loop_tables(const Input& input, const std::vector<std::string>& find,
         if (key != "substrate.young" && key != rig_stiffness_key && !is_of_law(key))
             refuse("measurement.find", "friction_loop does not determine " + key,
                    "find substrate.young, numbers of [friction] and rig.tangential_stiffness");
+    if (is_cylinder(document)) check_lines(input, find, document);
     if (document.find_section("substrate.relaxation"))
         refuse("substrate.relaxation.relative_moduli", "loops are those of elastic bodies",
                "leave out [substrate.relaxation]");
@@ -114,6 +149,16 @@ double guessed_young_of_loops(const Table& table, double radius, double normal_f
     const double modulus = std::pow(
         rig_share * stiffest / (2 * shear_over_plane * std::cbrt(.75 * load * radius)), 1.5);
     return guessed_plane_share * modulus;
+}
+
+double guessed_young_of_lines(const Table& table, double length) {
+    double stiffest = 0;
+    for (const MeasuredLoop& loop : table.loops.loops)
+        stiffest = std::max(stiffest, stiffness_of(rows_of(table, loop)));
+    // dF/dU = pi E* L/(2 lambda - 1), lambda about 5 where L is some ten half widths.
+    constexpr double shift_factor = 5, rig_share = 2;
+    return guessed_plane_share * rig_share * stiffest * (2 * shift_factor - 1) /
+           (std::numbers::pi * length);
 }
 
 double largest_ratio_of_loops(const Table& table, double normal_force) {
