@@ -24,7 +24,9 @@ struct LoopNumber {
     double predicted = 0;      ///< not a number: the model does not tell it
     double by_values = 0;      ///< standard error by what was found, and the errors of the inputs
     double by_resolution = 0;  ///< mesh and steps of the model
-    bool is_found = false;     ///< measured by the same values: only the model's own part is left
+    /// Not by rows but by the same values: beside the model's number its own part is left, and it
+    /// is no test of the model.
+    bool is_found = false;
 
     double difference() const { return measured - predicted; }
     double standard_error() const;  ///< of the difference
