@@ -60,6 +60,8 @@ void evaluate_loops(CommandOptions& options) {
     options.fill({{"experiment.json", "report.html", "loops.csv"}}, [&] {
         study = experiments::identification_study(input, false, options.runner(), options.sayer());
         study.command = "tricontact experiment " + options.file;
+        for (auto& [name, line] : study.settings)
+            if (line.starts_with("identify ")) line.replace(0, 8, "experiment");
         study.version = files::version;
         predictions = experiments::predict_loops(
             study, options.file, {options.runner(), options.overrides, options.sayer()});
@@ -84,7 +86,8 @@ void evaluate_loops(CommandOptions& options) {
     for (const auto& verdict : experiments::identification_verdicts(study))
         answer.add(verdict.sentence + '\n');
     for (const auto& verdict : verdicts) answer.add(verdict.sentence + '\n');
-    for (const std::string& line : experiments::left_out_lines(input)) answer.note(line + '\n');
+    for (const auto& [name, line] : study.settings)
+        if (name == "left out") answer.note(line + '\n');
     options.answer(answer);
     options.say(options.where());
 }

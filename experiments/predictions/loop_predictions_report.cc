@@ -45,7 +45,8 @@ std::vector<Place> compared(const LoopPrediction& prediction) {
     std::vector<Place> places;
     for (const SeriesPrediction& series : prediction.series)
         for (const LoopNumber& number : series.numbers)
-            if (number.is_compared() && !number.is_found) places.push_back({&number, series.series});
+            if (number.is_compared() && !number.is_found)
+                places.push_back({&number, series.series});
     return places;
 }
 

@@ -132,8 +132,7 @@ std::vector<SeriesReading> read_series(const IdentificationInput& input,
             const MeasuredLoop& loop = table.loops.loops[i];
             LoopRows rows = rows_of(table, loop, found.tables[t].standard_errors);
             RowWeights secant = secant_stiffness(rows);
-            auto initial = initial_stiffness(
-                rows, stiff_part * std::min(1., finding.sliding_shift / finding.state.amplitude));
+            auto initial = initial_stiffness(rows, finding.stiff_part());
             SeriesReading& series = all[finding.series];
             series.place = finding.series;
             series.loops.push_back(
