@@ -54,17 +54,22 @@ void add_theory(const Case& c, const std::vector<History>& histories, const Unit
     for (const History& history : histories)
         for (const StepRecord& step : history.steps) widest = std::max(widest, radius_of(step));
     const auto body = c.make_axisymmetric_indenter();
-    const auto exact =
-        theory::half_space_curve(*body, c.materials().effective_modulus(), c.adhesion->work);
-    report::Curve by_depth{.name = forms->theory, .theory = true}, by_force = by_depth;
-    constexpr int n = 200;
-    for (int k = 1; k <= n; ++k) {
-        const auto s = exact.at(widest * k / n);
-        by_depth.add(s.indentation / units.depth.factor, s.force / units.force.factor);
-        by_force.add(s.force / units.force.factor, s.radius / units.radius.factor);
-    }
-    curve.curves.push_back(std::move(by_depth));
-    radii.curves.push_back(std::move(by_force));
+    const auto add = [&](const std::string& name, double work) {
+        const auto exact = theory::half_space_curve(*body, c.materials().effective_modulus(), work);
+        report::Curve by_depth{.name = name, .theory = true}, by_force = by_depth;
+        constexpr int n = 200;
+        for (int k = 1; k <= n; ++k) {
+            const auto s = exact.at(widest * k / n);
+            by_depth.add(s.indentation / units.depth.factor, s.force / units.force.factor);
+            by_force.add(s.force / units.force.factor, s.radius / units.radius.factor);
+        }
+        curve.curves.push_back(std::move(by_depth));
+        radii.curves.push_back(std::move(by_force));
+    };
+    if (c.adhesion->is_reversible()) return add(forms->theory, c.adhesion->work);
+    add(forms->theory + ", separation", c.adhesion->work);
+    if (*c.adhesion->approach_work > 0)
+        add(forms->theory + ", approach", *c.adhesion->approach_work);
 }
 
 }  // namespace
