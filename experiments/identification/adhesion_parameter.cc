@@ -129,7 +129,7 @@ FreeParameter work_parameter(const Input& input) {
 FreeParameter approach_parameter() {
     return {.key = std::string(approach_key),
             .name = "approach_work_ratio",
-            .symbol = "w_a/w",
+            .symbol = "w_r",
             .scale = FreeParameter::Scale::linear,
             .low = 0,
             .high = 1,

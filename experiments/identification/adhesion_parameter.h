@@ -11,7 +11,7 @@ namespace tricontact::experiments {
 
 /// Work of adhesion w [J/m^2], as what is found.
 inline constexpr std::string_view work_key = "adhesion.work";
-/// Work of approach w_a, found as a share of w [-].
+/// Work of approach w_a, found as a share of w, w_r = w_a/w [-].
 inline constexpr std::string_view approach_key = "adhesion.approach_work";
 
 /// What the reader refuses of surfaces that attract each other: depths, radii and forces of full
