@@ -113,5 +113,24 @@ TEST(BemAdhesiveFriction, RollsUnchanged) {
     EXPECT_TRUE(history.audit.passed());
 }
 
+// What goes on from the bytes of a state, at another place, is what would have gone on.
+TEST(BemAdhesiveFriction, GoesOnFromItsState) {
+    const Ball ball(0, 8, .2);
+    const auto first = bem::make_model(ball.c, 1), second = bem::make_model(ball.c, 1);
+    LoadStep step;
+    step.normal = {NormalControl::Kind::indentation, *ball.c.load.indentation};
+    first->advance(step);
+    step.tangential[0] = {TangentialControl::Kind::force, .5 * first->scales().sliding_force};
+    step.offset = {.1 * ball.unit, 0};
+    first->advance(step);
+    second->read_state(first->write_state());
+    step.offset = {-.1 * ball.unit, 0};
+    step.normal.value = 0;
+    const auto r = first->advance(step), other = second->advance(step);
+    EXPECT_EQ(r.shift[0], other.shift[0]);
+    EXPECT_EQ(r.normal_force, other.normal_force);
+    EXPECT_EQ(r.force_residual, other.force_residual);
+}
+
 }  // namespace
 }  // namespace tricontact::bem_adhesive_friction_test

@@ -219,6 +219,25 @@ TEST(AdhesiveHysteresis, IsThatOfTwoWorks) {
     EXPECT_TRUE(model->audit().passed());
 }
 
+// What goes on from the bytes of a state is what would have gone on.
+TEST(AdhesiveFriction, GoesOnFromItsState) {
+    Case c = hysteretic(.02);
+    c.layer.thickness = 1e-3;
+    for (const bool on_layer : {false, true}) {
+        const auto make = [&] { return on_layer ? mdr::make_layer_model(c) : mdr::make_model(c); };
+        const auto first = make(), second = make();
+        for (const double force : {.01, .004})
+            first->advance(pulled_along(force, {TangentialControl::Kind::shift, 1e-6}));
+        second->read_state(first->write_state());
+        const auto step = pulled_along(-1e-3, {TangentialControl::Kind::shift, 2e-6});
+        const auto r = first->advance(step), other = second->advance(step);
+        EXPECT_EQ(r.indentation, other.indentation);
+        EXPECT_EQ(r.tangential_force[0], other.tangential_force[0]);
+        EXPECT_EQ(r.stored_energy, other.stored_energy);
+        EXPECT_EQ(first->pull_off()->force, second->pull_off()->force);
+    }
+}
+
 // A contact that has not been as wide as that of pull-off lets go at once where its edge opens.
 TEST(AdhesiveHysteresis, NarrowContactsPullOffEarlier) {
     constexpr double force = 1e-4;
