@@ -9,11 +9,11 @@
 #include <map>
 #include <utility>
 
+#include "atlas/adhesive_prediction.h"
 #include "atlas/map_coordinates.h"
 #include "atlas/predictable.h"
 #include "atlas/pressed_layer.h"
 #include "atlas/shipped.h"
-#include "comparisons/adhesion/adhesion_forms.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/reference.h"
@@ -293,30 +293,6 @@ const Prediction::Entry* Prediction::find(const Quantity& q) const {
     const auto found = std::ranges::find(entries, &q, &Entry::quantity);
     return found == entries.end() ? nullptr : &*found;
 }
-
-namespace {
-
-/// By formulas and integrals, which know no error.
-Prediction adhesive_prediction(const Case& c, const std::string& model) {
-    const comparisons::AdhesiveForms forms = comparisons::adhesive_forms(c).value();
-    Prediction p{.model = model,
-                 .left_out = comparisons::left_out(c, model),
-                 .limitations = comparisons::adhesion_sentences(c)};
-    const auto set = [&p](const Quantity& q, double value) {
-        if (std::isfinite(value)) p.entries.push_back({&q, {value, 0}});
-    };
-    set(quantities::normal_force, forms.normal_force);
-    set(quantities::indentation, forms.indentation);
-    set(quantities::contact_radius, forms.contact_radius);
-    set(quantities::pull_off_force, forms.pull_off.force);
-    set(quantities::pull_off_radius, forms.pull_off.radius);
-    set(quantities::pull_off_indentation, forms.pull_off.indentation);
-    set(quantities::last_indentation, forms.pull_off.last_indentation);
-    p.rests_on = {"the half-space by " + forms.theory};
-    return p;
-}
-
-}  // namespace
 
 Prediction predict(const Case& c, const std::string& model) {
     if (const std::string what = what_is_not_mapped(c, model); !what.empty())

@@ -6,6 +6,7 @@
 
 #include "contact/base/error.h"
 #include "contact/bodies/body_shapes.h"
+#include "contact/relaxing_case.h"
 
 namespace tricontact::contact {
 
@@ -39,13 +40,6 @@ void Case::require_coulomb(const std::string& what, const std::string& place,
                     place, what, friction.formula(), instead.empty() ? "" : ", or " + instead));
 }
 
-void Case::require_rigid_interface(const std::string& what) const {
-    if (interface.is_elastic())
-        throw InputError("interface: " + what +
-                         " presume surfaces that touch without springs between them; leave out "
-                         "[interface]");
-}
-
 double Case::bulk_stress_at(double phase) const {
     if (!prescribed_path) return load.bulk_stress;
     const auto& rows = prescribed_path->rows;
@@ -56,17 +50,20 @@ double Case::bulk_stress_at(double phase) const {
         .bulk_stress;
 }
 
-void Case::require_no_bulk_stress(const std::string& what) const {
-    if (has_bulk_stress())
-        throw InputError(
-            std::string(load.bulk_stress == 0 ? "path: bulk_stress: " : "load.bulk_stress: ") +
-            what + " presume a substrate that the contact alone loads; omit it");
-}
-
-void Case::require_no_adhesion(const std::string& what) const {
-    if (adhesion)
-        throw InputError("adhesion.work: " + what +
-                         " presume surfaces that do not attract each other; leave out [adhesion]");
+void Case::refuse_extras(const std::string& what, std::initializer_list<Extra> known) const {
+    const auto refuse = [&](Extra extra, bool has, const std::string& key, const char* reason) {
+        if (has && std::ranges::find(known, extra) == known.end())
+            throw InputError(key + ": " + what + ' ' + reason);
+    };
+    refuse(Extra::elastic_interface, interface.is_elastic(), "interface",
+           "presume surfaces that touch without springs between them; leave out [interface]");
+    refuse(Extra::bulk_stress, has_bulk_stress(),
+           load.bulk_stress == 0 ? "path: bulk_stress" : "load.bulk_stress",
+           "presume a substrate that the contact alone loads; omit it");
+    refuse(Extra::adhesion, adhesion.has_value(), "adhesion.work",
+           "presume surfaces that do not attract each other; leave out [adhesion]");
+    refuse(Extra::relaxing_indenter, indenter_relaxes(*this), "substrate.relaxation.body",
+           "know no indenter that relaxes; take body = \"substrate\"");
 }
 
 double Case::Layer::total_thickness() const {

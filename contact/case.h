@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -184,15 +185,11 @@ struct Case {
     }
     /// mu [-], for what presumes Coulomb's law. Throws InputError if friction follows another.
     double friction_coefficient() const;
-    /// For what presumes a rigid interface, `what` its name: "maps", "deviations". Throws
-    /// InputError if that of the case is elastic.
-    void require_rigid_interface(const std::string& what) const;
-    /// For what presumes a substrate that the contact alone loads, `what` its name. Throws
-    /// InputError if load or path has a bulk stress.
-    void require_no_bulk_stress(const std::string& what) const;
-    /// For what presumes surfaces that do not attract each other, `what` its name. Throws
-    /// InputError if those of the case do.
-    void require_no_adhesion(const std::string& what) const;
+    /// What a case may have beside two elastic bodies that touch, and not every command knows.
+    enum class Extra { elastic_interface, bulk_stress, adhesion, relaxing_indenter };
+    /// For a command that knows no extras but the `known` ones, `what` its subject in the plural:
+    /// "maps", "designs". Throws InputError if the case has another.
+    void refuse_extras(const std::string& what, std::initializer_list<Extra> known = {}) const;
     /// For what presumes Coulomb's law, tau = mu p, and is no run of a model: `what` ("a
     /// deviation"), `place` of messages, `instead` what else could be done, if anything. Throws
     /// InputError if friction follows another law.

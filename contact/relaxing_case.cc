@@ -187,12 +187,6 @@ const char* relaxing_word(const Case& c) {
     return substrate_relaxes(c) ? "pair of bodies" : "indenter";
 }
 
-void require_elastic_indenter(const Case& c, const std::string& what) {
-    if (indenter_relaxes(c))
-        throw InputError("substrate.relaxation.body: " + what +
-                         " know no indenter that relaxes; take body = \"substrate\"");
-}
-
 Unrelaxed what_stays(const Case& c) {
     if (!c.relaxation) return Unrelaxed::nothing;
     if (bulk_stays(c)) return Unrelaxed::bulk;

@@ -66,8 +66,6 @@ bool indenter_relaxes(const Case& c);
 const Material& relaxing_material(const Case& c);
 /// "substrate", "indenter" or "pair of bodies", for sentences about what relaxes.
 const char* relaxing_word(const Case& c);
-/// Throws InputError, `what` in the plural its subject, where the indenter relaxes.
-void require_elastic_indenter(const Case& c, const std::string& what);
 
 /// What stays elastic in a case whose substrate relaxes, the top layer: its finite bulk modulus
 /// below nu = 1/2; layers or a half-space below whose plane-strain compliance (1 - nu^2)/E is more

@@ -199,7 +199,10 @@ class Run {
         judge_.emplace(what_is_known());
         model_.start_limit();
         // An oscillating F_N may differ from its mean, which ratios refer to, when rolling begins.
-        limit_force_ratio_ = history_.steps.back().normal_force / mean_normal_force_;
+        // Over an adhesive contact friction carries its strength, whatever the force.
+        limit_force_ratio_ = case_.adhesion
+                                 ? model_.scales().sliding_force / history_.friction_limit
+                                 : history_.steps.back().normal_force / mean_normal_force_;
         for (int n = 0; n < path_.max_periods; ++n) {
             perhaps_last_period_ = n + 1 == path_.max_periods || nearly_settled_;
             model_.start_period();

@@ -151,25 +151,17 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
     r.tangential_residual = now().tangential.residual;
     r.force_residual = now().tangential.force_residual;
     if (step.normal.kind == NormalControl::Kind::force)
-        r.force_residual = std::max(r.force_residual, std::abs(r.normal_force - step.normal.value) /
-                                                          (step.normal.value + twice_the_pull()));
+        r.force_residual =
+            std::max(r.force_residual, std::abs(r.normal_force - step.normal.value) /
+                                           (step.normal.value + 2 * now().normal->pull));
     return r;
-}
-
-/// What errors of the force are compared with beside it, twice what the tension pulls [N]: forces
-/// may vanish and still be those of a contact.
-double SurfaceModel::twice_the_pull() const {
-    const auto &s = now().normal->tension, &area = points().area;
-    double pull = 0;
-    for (std::size_t i = 0; i < s.size(); ++i) pull += 2 * area[i] * s[i];
-    return pull;
 }
 
 /// Tension by the law of the gap (or touch), no more of it than sigma_0, the force, the ground.
 void SurfaceModel::audit_attracted(const LoadStep& step) {
     const NormalSolution& s = *now().normal;
     const auto& area = points().area;
-    const double pull = twice_the_pull();
+    const double pull = 2 * s.pull;
     double most = 0, force = 0;
     for (std::size_t i = 0; i < s.pressure.size(); ++i) {
         most = larger(most, -s.pressure[i]);
@@ -195,7 +187,11 @@ void SurfaceModel::audit_attracted(const LoadStep& step) {
 void SurfaceModel::audit_step(const LoadStep& step, bool advected) {
     const ContactPoints& points = this->points();
     const EnergyBalance energy = update_energy();
-    if (attracted_) return audit_attracted(step);
+    if (attracted_) {
+        audit_attracted(step);
+        if (!friction_->coulomb() && now().total_bound > 0) audit_friction(step);
+        return;
+    }
     if (now().normal->force == 0) return;  // withdrawn: nothing to compare errors with
     audit_normal(*now().normal, step.normal, points.area,
                  std::max(tolerance_, now().normal->rounding), audit_,
@@ -208,20 +204,7 @@ void SurfaceModel::audit_step(const LoadStep& step, bool advected) {
                       std::hypot((*missing)[0], (*missing)[1], (*missing)[2]) / now().normal->force,
                       substrate_->compliance().allowed_missing_reaction());
 
-    if (step.friction) {
-        std::array<TangentialControl, 2> tangential = solver_->forces_and_shifts(step);
-        if (points.mirrored) tangential[1].kind = TangentialControl::Kind::shift;
-        audit_tangential(
-            {.bound = now().bound,
-             .area = points.area,
-             .traction = now().tangential.traction,
-             .slip = slip_,
-             .contact_state = contact_state_,
-             .control = tangential,
-             .length = now().shift_factor * solver_->friction_ratio() * now().normal->length,
-             .n_threads = substrate_->compliance().n_threads()},
-            tolerance_, audit_);
-    }
+    audit_friction(step);
     // What relaxes takes energy out of a frame that leaves it behind.
     if (advected && substrate_->relaxes()) return;
     // The forces' work is that on the surface plus what friction dissipates, of the order mu^2 F d.
@@ -234,6 +217,22 @@ void SurfaceModel::audit_step(const LoadStep& step, bool advected) {
     audit_.record("energy_balance",
                   std::abs(energy.missing) / (by_friction + by_rounding / exact_force),
                   exact_force);
+}
+
+void SurfaceModel::audit_friction(const LoadStep& step) {
+    if (!step.friction) return;
+    std::array<TangentialControl, 2> tangential = solver_->forces_and_shifts(step);
+    if (points().mirrored) tangential[1].kind = TangentialControl::Kind::shift;
+    audit_tangential(
+        {.bound = now().bound,
+         .area = points().area,
+         .traction = now().tangential.traction,
+         .slip = slip_,
+         .contact_state = contact_state_,
+         .control = tangential,
+         .length = now().shift_factor * solver_->friction_ratio() * now().normal->length,
+         .n_threads = substrate_->compliance().n_threads()},
+        tolerance_, audit_);
 }
 
 /// Ends the step of the substrate.

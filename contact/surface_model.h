@@ -38,7 +38,7 @@ class SurfaceModel final : public Model, public Wearable {
     /// Where `enlarge` finds it. Siblings have it too.
     void set_larger_grid(LargerGrid larger) { larger_grid_ = std::move(larger); }
 
-    /// The surfaces attract each other from now on, at rest; they are pressed alone, uncoupled.
+    /// The surfaces attract each other from now on, at rest, see StaggeredSolver.
     /// `modulus`: E* of the pair [Pa]. Throws InputError as attraction_on().
     void attract(const AttractionLaw& law, double modulus);
 
@@ -101,9 +101,9 @@ class SurfaceModel final : public Model, public Wearable {
                              : work_[i];
     }
     StepRecord record(const LoadStep& step) const;
-    double twice_the_pull() const;
     std::optional<LettingGo> let_go() const;
     void audit_attracted(const LoadStep& step);
+    void audit_friction(const LoadStep& step);
     void audit_step(const LoadStep& step, bool advected);
     EnergyBalance update_energy();
     template <class Archive, class Self>

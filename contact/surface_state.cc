@@ -181,7 +181,7 @@ template <class Archive, class Solution, class Normal>
 void transfer_solution(Archive& archive, Solution& s, Normal& normal) {
     archive(s.offset, s.control.kind, s.control.value, s.shift, s.tangential.shift_increment,
             normal.pressure, normal.displacement, normal.share, normal.tension, normal.energy,
-            normal.released, s.bound, s.way);
+            normal.released, normal.pull, s.bound, s.way);
     for (auto* field :
          {&s.tangential.traction, &s.tangential.displacement, &s.displacement.in_surface})
         archive(field->x, field->y);

@@ -32,7 +32,8 @@ void check_presses(const LoadStep& step) {
     if (moves)
         throw contact::InputError(
             "mdr: surfaces that attract each other are pressed and pulled along the normal alone; "
-            "set tangential loads, shifts and offsets to zero");
+            "set tangential loads, shifts and offsets to zero, or give friction.shear_strength "
+            "alone");
 }
 
 /// Radius [m] where the profile is as high as an edge would be stretched: of the order of that
@@ -44,11 +45,7 @@ double radius_of_touch(const PlaneProfile& profile, double modulus, double work)
     return a;
 }
 
-struct Parts {
-    std::shared_ptr<const PlaneProfile> profile;
-    std::unique_ptr<const DiscSprings> springs;
-    std::optional<AdhesiveCurve> curve;
-};
+using Parts = AdhesiveModel::Parts;
 
 Parts parts_of(const std::string& model, const Case& c, double range) {
     Parts parts;
@@ -63,78 +60,112 @@ Parts parts_of(const std::string& model, const Case& c, double range) {
             parts.profile, c.materials().effective_modulus(), settings.springs);
     const double modulus = parts.springs->modulus(), work = c.adhesion->work;
     parts.curve.emplace([springs = parts.springs.get()](double a) { return springs->at(a); },
-                        modulus, work, radius_of_touch(*parts.profile, modulus, work),
-                        parts.profile->range());
+                        modulus, work, c.adhesion->approach_work.value_or(work),
+                        radius_of_touch(*parts.profile, modulus, work), parts.profile->range());
     return parts;
+}
+
+/// The case of the tangential contact, whose normal contact has the radius that is prescribed by
+/// its depth. `hardest` [m]: its largest depth, `amplitude` [m]: of the rolling.
+Case without_attraction(const Case& c, double hardest, double amplitude) {
+    Case plain = c;
+    plain.adhesion.reset();
+    plain.load.normal_force.reset();
+    plain.load.indentation = hardest;
+    plain.load.normal_amplitude_ratio = 0;
+    if (plain.rolling) {
+        plain.rolling->amplitude_ratio.reset();
+        plain.rolling->amplitude = amplitude;
+    }
+    return plain;
 }
 
 }  // namespace
 
-AdhesiveModel::AdhesiveModel(std::string name, std::unique_ptr<const DiscSprings> springs,
-                             std::shared_ptr<const PlaneProfile> profile,
+AdhesiveModel::AdhesiveModel(std::string name, Parts parts,
                              std::shared_ptr<const contact::FrictionLaw> friction,
-                             double shear_modulus, AdhesiveCurve curve, int n_points,
-                             double half_length)
+                             double shear_modulus, std::optional<AdhesiveFriction> sliding,
+                             int n_points, double half_length)
     : name_(std::move(name)),
-      springs_(std::move(springs)),
-      profile_(std::move(profile)),
+      parts_(std::move(parts)),
       friction_(std::move(friction)),
       shear_modulus_(shear_modulus),
-      curve_(std::move(curve)),
-      pull_off_(curve_.pull_off()),
+      sliding_(std::move(sliding)),
       row_{half_length / n_points - half_length, 2 * half_length / n_points},
-      n_points_(n_points) {}
+      n_points_(n_points) {
+    pull_off_ = parts_.curve->pull_off(half_length);
+}
 
 contact::StepRecord AdhesiveModel::advance(const LoadStep& step) {
-    check_presses(step);
+    if (!sliding_) check_presses(step);
     const auto before = state_;
-    const AdhesiveCurve::Motion motion = curve_.follow(state_, step.normal);
+    const AdhesiveCurve::Motion motion = parts_.curve->follow(state_, step.normal);
     state_ = motion.state;
     audit_step(motion, before);
+    if (!parts_.curve->is_reversible() && state_.radius > widest_) {
+        widest_ = state_.radius;
+        pull_off_ = parts_.curve->pull_off(widest_);
+    }
     contact::StepRecord r;
     r.phase = step.phase;
     r.normal_force = state_.force;
     r.indentation = state_.indentation;
     r.stored_energy = state_.energy;
     r.released_energy = motion.released;
-    // Apart the bodies may stay as long as nothing presses them, in contact until it lets go.
+    // Apart the bodies may stay as long as nothing presses them, in contact until it lets go; where
+    // the edge stays in its place, it may do so in another.
     const double last = step.normal.kind == NormalControl::Kind::force ? -pull_off_.force
                                                                        : pull_off_.last_indentation;
-    r.may_differ = step.normal.value < 0 && step.normal.value > last;
+    r.may_differ = (step.normal.value < 0 && step.normal.value > last) ||
+                   (!parts_.curve->is_reversible() && state_.touches());
     r.contact_area = r.stick_area = pi * state_.radius * state_.radius;
     const double half_length = row_.spacing * n_points_ / 2;
     r.open_area = std::max(0., pi * half_length * half_length - r.contact_area);
+    if (!sliding_) return r;
+    if (state_.touches())
+        sliding_->advance(step, parts_.springs->at(state_.radius).indentation, r, audit_);
+    else
+        sliding_->let_go(step, r);
     return r;
 }
 
 void AdhesiveModel::audit_step(const AdhesiveCurve::Motion& motion,
                                const AdhesiveCurve::State& before) {
     const auto size = [&](const AdhesiveCurve::State& s) {
-        return s.energy + curve_.work_of_adhesion() * pi * s.radius * s.radius;
+        return s.energy + parts_.curve->work_of_separation() * pi * s.radius * s.radius;
     };
     const double all = std::max(size(before), size(state_));
     if (all == 0) return;
-    const double stored = curve_.stored(state_) - curve_.stored(before);
+    const double stored = parts_.curve->stored(state_) - parts_.curve->stored(before);
     audit_.record("energy_balance", std::abs(motion.work - stored - motion.released) / all,
                   allowed_imbalance);
 }
 
 contact::Scales AdhesiveModel::scales() const {
     const EvenLoads even = loads();
-    return {.normal_force = state_.force,
-            .contact_radius = state_.radius,
-            .indentation = state_.indentation,
-            .peak_pressure = EvenLoad{even.positions, even.normal}.centre_pressure(),
-            .unit_shift = friction_->ratio_at(springs_->modulus()) * springs_->modulus() /
-                          shear_modulus_ * std::abs(state_.indentation),
-            .sliding_force = friction_->limit({state_.force, contact::infinity})};
+    contact::Scales scales{
+        .normal_force = state_.force,
+        .contact_radius = state_.radius,
+        .indentation = state_.indentation,
+        .peak_pressure = EvenLoad{even.positions, even.normal}.centre_pressure()};
+    if (sliding_ && state_.touches()) {
+        const contact::Scales along = sliding_->model().scales();
+        scales.unit_shift = along.unit_shift;
+        scales.sliding_force = along.sliding_force;
+        return scales;
+    }
+    const double modulus = parts_.springs->modulus();
+    scales.unit_shift =
+        friction_->ratio_at(modulus) * modulus / shear_modulus_ * std::abs(state_.indentation);
+    scales.sliding_force = friction_->limit({state_.force, contact::infinity});
+    return scales;
 }
 
 /// From the middle to the edge, where the load ends within 1e-6 of the radius.
 EvenLoads AdhesiveModel::loads() const {
     constexpr double beside_edge = 1 - 1e-6;
     if (!state_.touches()) return {{0, row_.spacing}, {0, 0}, {0, 0}};
-    const std::vector<double> q = springs_->loads(state_.radius, state_.indentation);
+    const std::vector<double> q = parts_.springs->loads(state_.radius, state_.indentation);
     const double spacing = state_.radius / static_cast<double>(q.size());
     const std::size_t stride = (q.size() + most_surface_pieces - 1) / most_surface_pieces;
     EvenLoads even{{0}, {q.front()}, {}};
@@ -143,7 +174,7 @@ EvenLoads AdhesiveModel::loads() const {
         even.normal.push_back(q[i]);
     }
     even.positions.push_back(beside_edge * state_.radius);
-    even.normal.push_back(-springs_->modulus() * springs_->at(state_.radius).edge *
+    even.normal.push_back(-parts_.springs->modulus() * parts_.springs->at(state_.radius).edge *
                           state_.detached);
     even.positions.push_back(state_.radius);
     even.normal.push_back(0);
@@ -151,44 +182,71 @@ EvenLoads AdhesiveModel::loads() const {
     return even;
 }
 
+void AdhesiveModel::show_normal(const EvenLoads& even, int point, Surface& s) const {
+    const double x = std::abs(s.x(point) - s.offset[0]);
+    const double height = parts_.profile->value(std::min(x, parts_.profile->range()));
+    if (!(x < state_.radius)) {
+        s.gap[point] = std::max(0., height - state_.indentation);
+        return;
+    }
+    s.gap[point] = 0;
+    s.displacement_z[point] = state_.indentation - height;
+    const auto above = std::ranges::upper_bound(even.positions, x);
+    if (above == even.positions.begin() || above == even.positions.end()) return;
+    const auto k = static_cast<std::size_t>(above - even.positions.begin());
+    const double share = (x - even.positions[k - 1]) / (even.positions[k] - even.positions[k - 1]);
+    s.normal_line_load[point] = std::lerp(even.normal[k - 1], even.normal[k], share);
+}
+
 Surface AdhesiveModel::surface() const {
     const EvenLoads even = loads();
-    const auto load_at = [&](double x) {
-        const auto above = std::ranges::upper_bound(even.positions, x);
-        if (above == even.positions.begin() || above == even.positions.end()) return 0.;
-        const auto k = static_cast<std::size_t>(above - even.positions.begin());
-        const double share =
-            (x - even.positions[k - 1]) / (even.positions[k] - even.positions[k - 1]);
-        return std::lerp(even.normal[k - 1], even.normal[k], share);
-    };
-    return make_line_surface(row_, n_points_, 0, *friction_, even, [&](int, int k, Surface& s) {
-        const double x = std::abs(s.x(k));
-        const double height = profile_->value(std::min(x, profile_->range()));
-        if (!(x < state_.radius)) {
-            s.gap[k] = std::max(0., height - state_.indentation);
-            return;
-        }
-        s.contact_state[k] = contact::ContactState::stick;
-        s.displacement_z[k] = state_.indentation - height;
-        s.normal_line_load[k] = load_at(x);
-    });
+    if (!sliding_ || !state_.touches())
+        return make_line_surface(row_, n_points_, 0, *friction_, even, [&](int, int k, Surface& s) {
+            show_normal(even, k, s);
+            if (std::abs(s.x(k)) < state_.radius) s.contact_state[k] = contact::ContactState::stick;
+        });
+    Surface s = sliding_->model().surface();
+    for (auto* field : {&s.normal_line_load, &s.normal_traction, &s.displacement_z})
+        std::ranges::fill(*field, 0);
+    for (int k = 0; k < s.n_x; ++k) {
+        show_normal(even, k, s);
+        const double r = std::abs(s.x(k) - s.offset[0]);
+        if (r < even.positions.back())
+            s.normal_traction[k] =
+                back_transform(even.positions, even.normal, abel_weights(even.positions, r));
+    }
+    return s;
+}
+
+template <class Archive, class Self>
+void AdhesiveModel::transfer(Archive& archive, Self& model) {
+    auto& s = model.state_;
+    archive(s.radius, s.indentation, s.force, s.energy, s.detached, model.widest_);
 }
 
 std::string AdhesiveModel::write_state() const {
     contact::StateWriter out;
-    out(state_.radius, state_.indentation, state_.force, state_.energy, state_.detached);
+    transfer(out, *this);
     audit_.write(out);
+    out(sliding_ ? sliding_->model().write_state() : std::string());
     return out.take();
 }
 
 void AdhesiveModel::read_state(std::string_view bytes) {
     contact::StateReader in(bytes);
-    in(state_.radius, state_.indentation, state_.force, state_.energy, state_.detached);
+    transfer(in, *this);
     audit_.read(in);
+    std::string along;
+    in(along);
+    if (widest_ > 0) pull_off_ = parts_.curve->pull_off(widest_);
+    if (sliding_) sliding_->model().read_state(along);
 }
 
-std::unique_ptr<contact::Model> make_adhesive_model(const std::string& model, const Case& c) {
-    const NormalControl hardest = contact::press_step(c).normal;
+std::unique_ptr<contact::Model> make_adhesive_model(
+    const std::string& model, const Case& c,
+    const std::function<std::unique_ptr<contact::Model>(const Case&)>& unattracted) {
+    NormalControl mean = contact::press_step(c).normal, hardest = mean;
+    hardest.value *= contact::crest_factor(c);
     const double outer = c.make_axisymmetric_indenter()->outer_radius();
     // A table of the profile as wide as is needed, up to the rim.
     double range = std::min(outer, 3 * contact::half_space_scales(c).contact_radius);
@@ -196,11 +254,16 @@ std::unique_ptr<contact::Model> make_adhesive_model(const std::string& model, co
     while (!parts.curve->reaches(hardest) && range < outer)
         parts = parts_of(model, c, range = std::min(outer, 2 * range));
     const AdhesiveCurve::State pressed = parts.curve->follow({}, hardest).state;
+    std::optional<AdhesiveFriction> sliding;
+    if (c.friction.is_strength_alone() && pressed.touches()) {
+        const double radius = parts.curve->follow({}, mean).state.radius;
+        sliding.emplace(unattracted(without_attraction(
+            c, parts.springs->at(pressed.radius).indentation, contact::path_amplitude(c, radius))));
+    }
     constexpr double shown = 1.5;  // over the widest contact
     return std::make_unique<AdhesiveModel>(
-        model, std::move(parts.springs), std::move(parts.profile), c.friction.law(),
-        c.materials().effective_shear_modulus(), std::move(*parts.curve), most_surface_points,
-        shown * pressed.radius);
+        model, std::move(parts), c.friction.law(), c.materials().effective_shear_modulus(),
+        std::move(sliding), most_surface_points, shown * pressed.radius);
 }
 
 }  // namespace tricontact::mdr

@@ -221,6 +221,14 @@ std::unique_ptr<contact::WearingContact> LayerModel::wearing(const contact::Wear
     return std::make_unique<LayerWearing>(*this, model_.wearing(problem), problem, *friction);
 }
 
+double LayerModel::shear_energy() const {
+    const contact::Surface s = model_.surface();
+    double work = 0;
+    for (std::size_t i = 0; i < s.gap.size(); ++i)
+        work += s.tangential_traction_x[i] * s.displacement_x[i];
+    return springs_->row().spacing * LayerSprings::width * work / 2;
+}
+
 std::string LayerModel::write_state() const {
     contact::StateWriter out;
     out(least_bounds_, bound_at_start_, model_.write_state());
@@ -321,7 +329,9 @@ std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int ele
     if (c.adhesion) {
         contact::Case with = c;
         with.of<Settings>().elements_per_radius = elements_per_radius;
-        return make_adhesive_model(contact::models::mdr_layer, with);
+        return make_adhesive_model(
+            contact::models::mdr_layer, with,
+            [](const contact::Case& plain) { return make_layer_model(plain); });
     }
     return make_line_model(contact::models::mdr_layer, c, elements_per_radius,
                            LayerSprings::longest_element * *c.layer.thickness);

@@ -15,6 +15,7 @@
 #include "contact/wearing_contact.h"
 #include "mdr/layer_springs.h"
 #include "mdr/plane_profile.h"
+#include "mdr/stores_shear.h"
 
 namespace tricontact::mdr {
 
@@ -27,7 +28,7 @@ namespace tricontact::mdr {
 ///
 /// One direction, as for a SpringBed: offsets count along the line of rolling, F_T acts along the
 /// elements, areas are those of discs as long as the elements in question together.
-class LayerModel final : public contact::Model, public contact::Wearable {
+class LayerModel final : public contact::Model, public contact::Wearable, public StoresShear {
   public:
     /// `name`: of the model. `relaxation`: of all the compliance; empty: elastic. `rolling_angle`
     /// [rad].
@@ -64,6 +65,7 @@ class LayerModel final : public contact::Model, public contact::Wearable {
     void read_state(std::string_view bytes) override;
     const contact::Audit& audit() const override { return model_.audit(); }
 
+    double shear_energy() const override;
     const LayerSprings& springs() const { return *springs_; }
     const PlaneProfile& profile() const { return *profile_; }
 

@@ -40,7 +40,7 @@ void check_memory(const contact::Case& c) {
 }  // namespace
 
 std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
-    if (c.adhesion) return make_adhesive_model(contact::models::mdr, c);
+    if (c.adhesion) return make_adhesive_model(contact::models::mdr, c, make_model);
     if (c.interface.is_elastic()) return make_model_on_interface(c);
     check_memory(c);
     // A table of the profile over twice the half-space's radius, which grows at most with the load

@@ -10,6 +10,7 @@
 #include "mdr/bed.h"
 #include "mdr/line_bound.h"
 #include "mdr/normal_bed.h"
+#include "mdr/stores_shear.h"
 
 namespace tricontact::mdr {
 
@@ -25,7 +26,7 @@ namespace tricontact::mdr {
 ///
 /// Areas are those of discs as long as the springs in question together: pi/4 L^2.
 /// If the contact reaches the end of the bed, springs are added there.
-class SpringBed final : public Bed, public contact::Wearable {
+class SpringBed final : public Bed, public contact::Wearable, public StoresShear {
   public:
     /// Throws contact::InputError for values out of range.
     explicit SpringBed(BedData data);
@@ -61,6 +62,7 @@ class SpringBed final : public Bed, public contact::Wearable {
     std::string write_state() const override;
     void read_state(std::string_view bytes) override;
 
+    double shear_energy() const override;
     const NormalBed& normal() const { return normal_; }
     double deflection(int i) const { return deflections_[i]; }  ///< tangential, of spring i [m]
 

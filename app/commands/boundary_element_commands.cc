@@ -10,7 +10,6 @@
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/run/input_reading.h"
 #include "contact/models/model_kind.h"
-#include "contact/relaxing_case.h"
 #include "contact_program/sequence.h"
 #include "contact_program/written_case.h"
 
@@ -92,9 +91,7 @@ std::optional<std::string> influence_of(const BoundaryElementCase& read,
 void export_to_contact_program(BoundaryElementOptions options) {
     const auto read = read_boundary_elements(options);
     const Case& c = read.c;
-    c.require_no_bulk_stress("inputs of CONTACT");
-    c.require_no_adhesion("inputs of CONTACT");
-    contact::require_elastic_indenter(c, "inputs of CONTACT");
+    c.refuse_extras("inputs of CONTACT", {Case::Extra::elastic_interface});
     const std::string name = std::filesystem::path(options.file).stem().string();
     const std::string influence_name = name + ".influence";
     options.choose_folder("_contact");

@@ -76,13 +76,14 @@ std::vector<report::DerivedValue> derived_values(const Case& c) {
     if (c.tractive_rolling && c.tractive_rolling->longitudinal_creepage) return all;
     const comparisons::Reference r = comparisons::reference(c);
     if (std::isfinite(r.tangential_ratio)) {
-        all.push_back({"F_T", r.tangential_ratio * hertz.friction_limit, "N", "tangential force"});
+        all.push_back(
+            {"F_T", r.tangential_ratio * r.hertz.friction_limit, "N", "tangential force"});
         all.push_back({"f_T", r.tangential_ratio, "1",
                        c.friction.is_coulomb() ? "F_T/(mu F_N)" : "over what friction carries"});
     }
     add_strength(c, r.tangential_ratio, all);
     if (!c.rolling) return all;
-    all.push_back({"W", r.amplitude_ratio * hertz.contact_radius, "m", "rolling amplitude"});
+    all.push_back({"W", r.amplitude_ratio * r.hertz.contact_radius, "m", "rolling amplitude"});
     all.push_back({"w", r.amplitude_ratio, "1", "W/a"});
     if (r.limit_tangential_ratio)
         all.push_back(

@@ -4,7 +4,6 @@
 #include "app/commands/command.h"
 #include "comparisons/quantities/left_out.h"
 #include "contact/models/model_kind.h"
-#include "contact/relaxing_case.h"
 #include "experiments/design/rig_design.h"
 #include "io/case/rig_file.h"
 
@@ -17,10 +16,7 @@ struct DesignOptions : CommandOptions {};
 /// That nothing within the bounds does it is a finding, no error.
 void design_rig(DesignOptions options) {
     const auto input = experiments::read_design(io::read_rig_file(options.file, options.overrides));
-    input.rig.c.require_rigid_interface("designs");
-    input.rig.c.require_no_bulk_stress("designs");
-    input.rig.c.require_no_adhesion("designs");
-    contact::require_elastic_indenter(input.rig.c, "designs");
+    input.rig.c.refuse_extras("designs");
     options.choose_folder("_design");
     experiments::DesignStudy study;
     const std::string name = std::filesystem::path(options.file).filename().string();

@@ -3,7 +3,6 @@
 
 #include "app/commands/command.h"
 #include "comparisons/quantities/left_out.h"
-#include "contact/relaxing_case.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/identification_report.h"
 #include "experiments/identification/identification_study.h"
@@ -102,11 +101,7 @@ void evaluate_records(CommandOptions& options) {
         experiments::read_experiment(options.file, options.overrides);
     if (input.has_laws) options.reads->emplace_back("[measurement]");
     if (input.case_file && !input.has_laws) {
-        const contact::Case c = io::read_case(*input.case_file, options.overrides);
-        c.require_rigid_interface("predictions of records");
-        c.require_no_bulk_stress("predictions of records");
-        c.require_no_adhesion("predictions of records");
-        contact::require_elastic_indenter(c, "predictions of records");
+        io::read_case(*input.case_file, options.overrides).refuse_extras("predictions of records");
     }
     experiments::ExperimentEvaluation evaluation =
         experiments::evaluate_experiment(input.experiment);

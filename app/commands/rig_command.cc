@@ -8,7 +8,6 @@
 #include "comparisons/run/input_reading.h"
 #include "contact/cells.h"
 #include "contact/models/model_kind.h"
-#include "contact/relaxing_case.h"
 #include "experiments/assumptions/rig.h"
 #include "experiments/predictions/rig_body.h"
 #include "experiments/predictions/rig_growth.h"
@@ -77,9 +76,7 @@ experiments::Rig read_rig(const CommandOptions& options) {
     io::Document document = io::parse_document(text, options.file);
     if (!io::is_walk_case(document)) {
         const io::RigFile file = io::parse_rig_file(text, options.file, options.overrides);
-        file.c.require_rigid_interface("assumptions of rigs");
-        file.c.require_no_adhesion("assumptions of rigs");
-        contact::require_elastic_indenter(file.c, "assumptions of rigs");
+        file.c.refuse_extras("assumptions of rigs", {contact::Case::Extra::bulk_stress});
         for (const std::string& sentence : comparisons::input_sentences(file.c))
             options.say(sentence);
         experiments::Rig rig = experiments::rig_with_body(file, options.runner());

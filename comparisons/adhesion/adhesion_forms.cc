@@ -10,7 +10,7 @@
 #include "contact/load_path.h"
 #include "report/format.h"
 #include "theory/adhesion.h"
-#include "theory/adhesive/adhesive_curve.h"
+#include "theory/adhesive/adhesive_hysteresis.h"
 #include "theory/adhesive/maugis_dugdale.h"
 
 namespace tricontact::comparisons {
@@ -35,13 +35,15 @@ bool is_of_revolution(const Case& c) {
 
 AdhesiveForms short_ranged_forms(const Case& c) {
     const auto body = c.make_axisymmetric_indenter();
-    auto curve =
-        theory::half_space_curve(*body, c.materials().effective_modulus(), c.adhesion->work);
+    const double modulus = c.materials().effective_modulus(), work = c.adhesion->work;
+    theory::AdhesiveHysteresis curve(theory::half_space_contacts(*body, modulus), modulus, work,
+                                     c.adhesion->approach_work.value_or(work), work / modulus,
+                                     body->outer_radius() * (1 - 1e-6));
     const auto pressed = curve.follow({}, contact::press_step(c).normal).state;
     return {.contact_radius = pressed.radius,
             .indentation = pressed.indentation,
             .normal_force = pressed.force,
-            .pull_off = curve.pull_off(),
+            .pull_off = curve.pull_off(pressed.radius),
             .theory = "Johnson, Kendall and Roberts"};
 }
 
@@ -85,22 +87,39 @@ const char* regime_of(double tabor) {
 std::optional<AdhesiveForms> adhesive_forms(const Case& c) {
     if (!c.adhesion || !is_on_a_half_space(c) || !is_of_revolution(c) || c.has_rigid_substrate)
         return {};
-    if (c.adhesion->is_short_ranged()) return short_ranged_forms(c);
-    if (!contact::is_hertz_round(c) || c.adhesion->law != Adhesion::Law::dugdale) return {};
-    return maugis_forms(c);
+    const bool is_short = c.adhesion->is_short_ranged();
+    if (!is_short && (!contact::is_hertz_round(c) || c.adhesion->law != Adhesion::Law::dugdale))
+        return {};
+    AdhesiveForms forms = is_short ? short_ranged_forms(c) : maugis_forms(c);
+    forms.friction_limit = forms.unit_shift = contact::undefined;
+    if (c.friction.is_strength_alone()) {
+        const double a = forms.contact_radius, strength = *c.friction.shear_strength;
+        forms.friction_limit = pi * a * a * strength;
+        forms.unit_shift = 2 * strength * a / c.materials().effective_shear_modulus();
+    }
+    return forms;
 }
 
 std::vector<AdhesiveEquilibria> adhesive_equilibria(const Case& c) {
     const auto forms = adhesive_forms(c);
     if (!forms) return {};
-    const double modulus = c.materials().effective_modulus(), work = c.adhesion->work;
     const std::shared_ptr body = c.make_axisymmetric_indenter();
-    const auto curve = std::make_shared<const theory::AdhesiveCurve>(
-        theory::half_space_curve(*body, modulus, work));
-    const AdhesiveEquilibria no_range{"Johnson, Kendall and Roberts", [body, curve](double a) {
-                                          const auto s = curve->at(a);
-                                          return contact::Vector2{s.indentation, s.force};
-                                      }};
+    const auto short_ranged = [&](const std::string& branch, double work) {
+        const auto curve = std::make_shared<const theory::AdhesiveCurve>(
+            theory::half_space_curve(*body, c.materials().effective_modulus(), work));
+        return AdhesiveEquilibria{"Johnson, Kendall and Roberts" + branch, [body, curve](double a) {
+                                      const auto s = curve->at(a);
+                                      return contact::Vector2{s.indentation, s.force};
+                                  }};
+    };
+    const double work = c.adhesion->work;
+    if (!c.adhesion->is_reversible()) {
+        std::vector<AdhesiveEquilibria> all{short_ranged(", separation", work)};
+        if (*c.adhesion->approach_work > 0)
+            all.push_back(short_ranged(", approach", *c.adhesion->approach_work));
+        return all;
+    }
+    const AdhesiveEquilibria no_range = short_ranged("", work);
     if (c.adhesion->is_short_ranged()) return {no_range};
     const auto unit = maugis_units(c);
     const AdhesiveEquilibria maugis{
@@ -138,15 +157,26 @@ std::vector<report::DerivedValue> adhesive_values(const Case& c) {
     all.push_back({"F_adh", forms->normal_force, "N", "normal force under attraction" + by});
     all.push_back({"F_off", forms->pull_off.force, "N", "pull-off force" + by});
     all.push_back({"a_off", forms->pull_off.radius, "m", "contact radius at pull-off" + by});
+    if (!c.friction.is_strength_alone()) return all;
+    all.push_back(
+        {"F_lim", forms->friction_limit, "N", "what friction carries over the adhesive contact"});
+    all.push_back({"U_adh", forms->unit_shift, "m", "shift at the onset of sliding there"});
     return all;
 }
 
 std::vector<std::string> adhesion_sentences(const Case& c) {
     if (!c.adhesion) return {};
-    if (c.adhesion->is_short_ranged())
-        return {
+    if (c.adhesion->is_short_ranged()) {
+        std::vector<std::string> of_edge{
             "Adhesion has no range: the edge of the contact lets go as a crack grows (Johnson, "
             "Kendall and Roberts)."};
+        if (!c.adhesion->is_reversible())
+            of_edge.push_back("Separation takes " + report::quantity(c.adhesion->work, "J/m^2") +
+                              " and the approach gains " +
+                              report::quantity(*c.adhesion->approach_work, "J/m^2") +
+                              ": in between the edge of the contact stays in its place.");
+        return of_edge;
+    }
     const double strength = c.adhesion->strength();
     // Dugdale's crack under K^2 = 2 E* w: pi/8 (K/sigma_0)^2.
     const double zone =

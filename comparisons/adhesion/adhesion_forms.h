@@ -19,6 +19,9 @@ struct AdhesiveForms {
     double indentation = 0;     ///< likewise [m]
     double normal_force = 0;    ///< likewise [N]
     contact::PullOff pull_off;
+    /// Of a shear strength alone, over the contact: what it carries, tau_0 pi a^2 [N], and the
+    /// shift at which it begins to slide, 2 tau_0 a/G* [m]; else NaN.
+    double friction_limit = 0, unit_shift = 0;
     std::string theory;  ///< "Johnson, Kendall and Roberts"
 };
 /// Empty where nothing is.

@@ -88,8 +88,7 @@ void require_comparable(const Case& c) {
         refuse(
             "[path]: sizes are compared under one load; give load.normal_force in place of the "
             "path");
-    c.require_rigid_interface("deviations from Hertz' contact");
-    c.require_no_adhesion("deviations from Hertz' contact");
+    c.refuse_extras("deviations from Hertz' contact", {Case::Extra::bulk_stress, Case::Extra::relaxing_indenter});
     if (c.relaxation)
         refuse(
             "substrate.relaxation: deviations are those of elastic bodies; describe the relaxed "

@@ -29,8 +29,7 @@ constexpr int press_steps = 10;
 
 void require_finite_strains(const Case& c) {
     c.require_coulomb("a deviation");
-    c.require_rigid_interface("finite strains");
-    c.require_no_adhesion("finite strains");
+    c.refuse_extras("finite strains", {Case::Extra::bulk_stress, Case::Extra::relaxing_indenter});
     if (!contact::is_hertz_round(c))
         throw contact::InputError(
             "indenter.shape: at finite strains fem computes smooth paraboloids and spheres; take "

@@ -90,7 +90,8 @@ constinit const Quantity unit_shift{
     .of = [](const Subject& s) -> QuantityValue {
         // A section through the axis knows no friction along x.
         const auto cut = contact::model_kind(s.history.model).cut;
-        if (cut == contact::ModelKind::Cut::of_revolution || s.c.adhesion) return {};
+        if (cut == contact::ModelKind::Cut::of_revolution) return {};
+        if (s.c.adhesion && !s.c.friction.is_strength_alone()) return {};
         return finite(s.history.scales.unit_shift);
     },
     .exact = [](const Reference& r) { return exact(r, r.hertz.unit_shift); },

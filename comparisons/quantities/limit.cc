@@ -16,7 +16,7 @@ constinit const Quantity limit_tangential_ratio{
         "f_T at this amplitude.",
     .source = "Klarbring, Ciavarella and Barber (2007); Wetter (2016), 3.2.13",
     .of = [](const Subject& s) -> QuantityValue {
-        if (s.c.adhesion) return {};
+        if (s.c.adhesion && !s.c.friction.is_strength_alone()) return {};
         return finite(s.history.limit_tangential_ratio);
     },
     .exact = [](const Reference& r) { return finite(r.limit_tangential_ratio); },

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "bem/settings.h"
+#include "comparisons/adhesion/adhesion_forms.h"
+#include "contact/base/special_values.h"
 #include "contact/half_space_scales.h"
 #include "contact/models/model_kind.h"
 #include "contact/section_scales.h"
@@ -14,6 +16,8 @@
 #include "theory/rolling/rolled_law.h"
 
 namespace tricontact::comparisons {
+
+using contact::Case;
 
 bool constant_loads(const contact::Case& c) {
     return !c.prescribed_path && c.load.normal_amplitude_ratio == 0 &&
@@ -67,6 +71,44 @@ void add_point_contact(const contact::Case& c, Reference& r) {
     r.shakedown_shift_ratio = body.bed_settled_shift_ratio(w, f);
 }
 
+/// Of surfaces that attract each other. A strength acts wherever they touch: what holds for it asks
+/// for the contact's radius alone.
+void add_adhesive_contact(const contact::Case& c, Reference& r) {
+    const double hertz_radius = r.hertz.contact_radius;
+    const auto forms = adhesive_forms(c);
+    r.is_nominal = !forms;
+    if (!forms) {
+        r.hertz.friction_limit = r.hertz.unit_shift = contact::undefined;
+    } else {
+        r.hertz = {.contact_radius = forms->contact_radius,
+                   .indentation = forms->indentation,
+                   .normal_force = forms->normal_force,
+                   .peak_pressure = contact::undefined,
+                   .unit_shift = forms->unit_shift,
+                   .half_widths = {forms->contact_radius, forms->contact_radius},
+                   .friction_limit = forms->friction_limit};
+    }
+    r.tangential_ratio = tangential_ratio(c, {r.hertz.normal_force, r.hertz.friction_limit});
+    if (c.rolling) {
+        const bool of_model = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
+        const double radius = r.hertz.contact_radius;
+        r.amplitude_ratio =
+            contact::rolling_amplitude(*c.rolling, of_model ? radius : hertz_radius) / radius;
+    }
+    if (!forms || !c.friction.is_strength_alone()) return;
+    const theory::RolledLaw& law = theory::strength_rolling;
+    const double w = r.amplitude_ratio;
+    const bool is_rolled = c.rolling && constant_loads(c) && in_unit_range(w);
+    if (is_rolled && c.load.is_by_limit())
+        r.tangential_ratio = c.load.ratio_by_limit(law.exact_limit(w));
+    if (!in_unit_range(r.tangential_ratio)) return;
+    r.static_shift_ratio = law.static_shift(r.tangential_ratio);
+    if (!is_rolled) return;
+    r.limit_tangential_ratio = law.exact_limit(w);
+    r.limit_amplitude_ratio = law.amplitude_limit(r.tangential_ratio, law.mdr_mapping);
+    r.shakedown_shift_ratio = law.settled_shift_ratio(w, r.tangential_ratio, law.mdr_mapping);
+}
+
 /// f_T of a load that is said by the limit; NaN where theory has none.
 double ratio_by_limit(const contact::Case& c, double amplitude_ratio) {
     const std::optional<double> limit =
@@ -83,20 +125,22 @@ double ratio_by_limit(const contact::Case& c, double amplitude_ratio) {
 Reference reference(const contact::Case& c) {
     Reference r;
     r.hertz = contact::half_space_scales(c);
-    r.is_nominal =
-        contact::is_nominally_flat(c) || contact::is_section_alone(c) || c.adhesion.has_value();
+    r.is_nominal = contact::is_nominally_flat(c) || contact::is_section_alone(c);
     r.static_shift_is_relaxed = static_shift_is_relaxed(c);
+    if (const theory::RolledLaw* law = mapped_law(c)) r.mdr_mapping = law->mdr_mapping;
+    if (c.adhesion) {
+        add_adhesive_contact(c, r);
+        return r;
+    }
     r.tangential_ratio = tangential_ratio(c, {r.hertz.normal_force, r.hertz.friction_limit});
     if (c.rolling)
         r.amplitude_ratio =
             contact::rolling_amplitude(*c.rolling, r.hertz.contact_radius) / r.hertz.contact_radius;
     if (c.load.is_by_limit()) r.tangential_ratio = ratio_by_limit(c, r.amplitude_ratio);
-    if (const theory::RolledLaw* law = mapped_law(c)) r.mdr_mapping = law->mdr_mapping;
-    if (contact::pressure_falls(c) && !contact::has_conical_tip(c) &&
-        !contact::is_section_alone(c) && !c.adhesion)
+    if (contact::pressure_falls(c) && !contact::has_conical_tip(c) && !contact::is_section_alone(c))
         r.peak_pressure = r.hertz.peak_pressure;
     if (!in_unit_range(r.tangential_ratio) || c.interface.is_elastic() || c.has_bulk_stress() ||
-        contact::is_section_alone(c) || c.adhesion)
+        contact::is_section_alone(c))
         return r;
     if (c.is_cylindrical())
         add_line_contact(c, r);
@@ -118,8 +162,6 @@ const char* pressure_name(const contact::Case& c) {
     if (contact::has_conical_tip(c)) return "mean pressure";
     return contact::pressure_falls(c) ? "peak pressure" : "pressure at the centre";
 }
-
-using contact::Case;
 
 bool is_half_space(const std::string& model) {
     return contact::model_kind(model).is_half_space();

@@ -37,10 +37,11 @@ double amplitude_ratio(const contact::History& history);
 /// theory/oscillating_cylinder.h. Ratios are dimensionless.
 struct Reference {
     contact::HalfSpaceScales hertz{};
-    bool is_nominal =
-        false;  ///< `hertz` are scales of a flat, conforming or adhesive contact, no solution
+    /// Of surfaces that attract each other AdhesiveForms instead; where there are none, nominal
+    /// scales, as of a flat or conforming contact, and no solution.
+    bool is_nominal = false;
     double tangential_ratio = 0;          ///< f_T; NaN: a fraction of a limit that theory has not
-    double amplitude_ratio = 0;           ///< w over the Hertz radius
+    double amplitude_ratio = 0;           ///< w over the radius of `hertz`
     double static_shift_ratio = 0;        ///< u_stat; 0 if f_T is out of range or it is unavailable
     bool static_shift_is_relaxed = true;  ///< see there
     std::optional<double> peak_pressure;  ///< [Pa], where the pressure is largest at the centre

@@ -165,7 +165,8 @@ bool ends_at_prescribed_shift(const Case& c) {
 Headline headline_of(const Case& c, const Results& s) {
     using namespace quantities;
     if (has_loop(c, s)) return {"frictional work per cycle", &dissipation, nullptr};
-    if (c.adhesion && s.number(pull_off_force)) return {"pull-off force", &pull_off_force, nullptr};
+    if (c.adhesion && c.is_pressed_only() && s.number(pull_off_force))
+        return {"pull-off force", &pull_off_force, nullptr};
     // All models end at a shift that is prescribed: they differ in what it takes.
     if (ends_at_prescribed_shift(c))
         return s.number(path_work).value_or(0) > 0
@@ -193,7 +194,7 @@ Verdict answer_of(const Case& c, const Results& s, const std::optional<Numerical
     const auto note_on = [&](const Quantity& q) {
         return refinement ? refinement_note(*refinement, q) : error_note(error, q);
     };
-    if (c.adhesion && s.number(pull_off_force))
+    if (c.adhesion && c.is_pressed_only() && s.number(pull_off_force))
         return {Verdict::Standing::finding,
                 fmt::format("The contact holds {} at most, at the radius {}; pressed hardest its "
                             "radius is {}{}{}",

@@ -53,7 +53,7 @@ Figures make_figures(const contact::Case& c, const Histories& histories,
         for (report::Figure& figure : maker(c, of)) figures.push_back(std::move(figure));
     };
     add(force_curve_figures, histories);
-    if (!c.adhesion)
+    if (!c.adhesion || !c.is_pressed_only())
         for (report::Figure& figure : shift_figures(c, histories, error))
             figures.push_back(std::move(figure));
     add(dissipation_figures, histories);

@@ -142,7 +142,7 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
     document.sections = {{"reading", "Reading", reading(c, results)},
                          results_section(c, results, extras.numerical)};
     if (c.prescribed_path) document.sections.push_back(path_section(c, histories));
-    if (c.adhesion && c.prescribed_path)
+    if (c.adhesion && c.adhesion->is_reversible() && c.prescribed_path)
         document.sections.push_back(
             {"jumps", "Jumps into contact and out of it", {}, {}, {jump_table(histories)}});
     for (DocumentSection& section : study_sections(c, histories, results, extras))

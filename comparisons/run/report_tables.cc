@@ -24,8 +24,9 @@ std::string results_note(const contact::Case& c, bool several_models,
         text += "The theory column is empty: half-spaces do not know this contact.";
     else if (c.adhesion)
         text +=
-            "The theory column is empty: Hertz' contact has no adhesion; what theory says of this "
-            "one stands among the derived values.";
+            "The theory column is the contact of surfaces that attract each other on the "
+            "half-space (Johnson, Kendall and Roberts, or Maugis), where there is a solution, and "
+            "under a shear strength what springs carry over its radius.";
     else if (c.interface.is_elastic())
         text +=
             "The theory column is frictionless contact on the half-space without the springs of "

@@ -262,11 +262,13 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Case& c) {
 
 report::DocumentTable derived_table(const Case& c) {
     const Reference r = reference(c);
+    // What attraction adds has rows of its own.
+    const contact::HalfSpaceScales hertz = c.adhesion ? contact::half_space_scales(c) : r.hertz;
     const contact::MaterialPair pair = c.materials();
     report::DocumentTable table{.id = "derived",
-                                .title = contact::is_hertz_round(c) ? "Derived (Hertz)"
-                                         : r.is_nominal             ? "Derived (nominal)"
-                                                                    : "Derived (half-space)",
+                                .title = contact::is_hertz_round(c)    ? "Derived (Hertz)"
+                                         : r.is_nominal && !c.adhesion ? "Derived (nominal)"
+                                                                       : "Derived (half-space)",
                                 .note = derived_note(c),
                                 .columns = {{"quantity"}, {"unit"}, {"value"}}};
     const auto add = [&](const std::string& name, double value, const char* base = "") {
@@ -276,15 +278,15 @@ report::DocumentTable derived_table(const Case& c) {
     add("effective modulus E*", pair.effective_modulus(), "Pa");
     add("effective shear modulus G*", pair.effective_shear_modulus(), "Pa");
     add("Dundurs' β", pair.dundurs_beta());
-    add(size_name(c) + " a", r.hertz.contact_radius, "m");
-    add("indentation d", r.hertz.indentation, "m");
+    add(size_name(c) + " a", hertz.contact_radius, "m");
+    add("indentation d", hertz.indentation, "m");
     add(std::string(pressure_name(c)) + (contact::has_conical_tip(c) ? " p_m" : " p_0"),
-        r.hertz.peak_pressure, "Pa");
-    add(c.prescribed_path ? "largest normal force F_N" : "normal force F_N", r.hertz.normal_force,
+        hertz.peak_pressure, "Pa");
+    add(c.prescribed_path ? "largest normal force F_N" : "normal force F_N", hertz.normal_force,
         "N");
     const std::string limit = c.friction.limit_symbol();
-    add("friction limit " + limit, r.hertz.friction_limit, "N");
-    add("unit of shift U_max", r.hertz.unit_shift, "m");
+    add("friction limit " + limit, hertz.friction_limit, "N");
+    add("unit of shift U_max", hertz.unit_shift, "m");
     for (const report::DerivedValue& value : adhesive_values(c))
         add(value.meaning + ' ' + value.symbol, value.value,
             value.unit == "1" ? "" : value.unit.c_str());

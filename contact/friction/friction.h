@@ -37,6 +37,11 @@ struct Friction {
         return !shear_strength && pressure_exponent.value_or(1) == 1 && !strength_limit && !map &&
                !weakening && !yield;
     }
+    /// tau_0 wherever the surfaces touch, whatever the pressure.
+    bool is_strength_alone() const {
+        return shear_strength && !coefficient && !strength_limit && !map && !rate && !temperature &&
+               !weakening && !yield;
+    }
     /// By the way that points slip: what is carried depends on the history, and more than one state
     /// may be in equilibrium.
     bool remembers() const { return weakening || (yield && yield->hardening != 0); }

@@ -223,7 +223,7 @@ NormalSolution AdhesiveNormal::finish(Iterate now) const {
     s.share = share_ ? share_->of(s.pressure, now.gap) : std::vector<double>(n);
     s.residual = std::max(s.residual, now.residual);
     s.length = std::max(s.length, attraction_.distance);
-    s.force = s.energy = 0;
+    s.force = s.energy = s.pull = 0;
     for (std::size_t i = 0; i < n; ++i) {
         if (!share_) s.share[i] = s.pressure[i] > 0;
         if (attraction_.is_short_ranged)
@@ -231,6 +231,7 @@ NormalSolution AdhesiveNormal::finish(Iterate now) const {
         s.pressure[i] -= now.tension[i];
         s.displacement[i] -= now.lowered[i];
         s.force += area[i] * s.pressure[i];
+        s.pull += area[i] * now.tension[i];
         s.energy += area[i] * (s.pressure[i] * s.displacement[i] / 2 +
                                attraction_.energy(now.gap[i], now.width[i]));
     }

@@ -27,7 +27,9 @@ struct NormalSolution {
     /// (elastic and of the tension) and what was set free on the way to it [J].
     std::vector<double> tension{};
     double energy = 0, released = 0;
+    double pull = 0;  ///< of the tension, in all [N]
 
+    double touch_force() const { return force + pull; }  ///< of q [N]
     bool attracts() const { return !tension.empty(); }
     /// Whether a point touches.
     bool touches(std::size_t i) const { return attracts() ? share[i] > 0 : pressure[i] > 0; }

@@ -15,7 +15,8 @@ void StaggeredSolver::keep_gap(const LoadStep& step, const StepStart& before) {
     before_touch_ = {};
     met_traction_.assign(3, 0);
     met_is_kept_ = false;
-    if (!step.in_proportion || !step.friction) return;
+    // Contact that jumps in does not grow as the gap closes.
+    if (!step.in_proportion || !step.friction || adhesive_) return;
     const NormalSolution& last = *now_.normal;
     if (last.force == 0 && last.indentation == 0) coupling_.place(step.offset);  // first touch
     gap_before_ = large_copy(coupling_.bare_height(), n_threads());

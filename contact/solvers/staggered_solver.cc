@@ -89,6 +89,7 @@ SurfaceField StaggeredSolver::tractions() const {
 void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
     now_.normal_iterations = now_.tangential_iterations = n_shared_ = 0;
     keep_gap(step, before);
+    if (adhesive_) roll_adhesive(step.offset);
     now_.offset = step.offset;
     now_.control = step.normal;
     now_.way = before.way;
@@ -96,7 +97,7 @@ void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
     coupling_.place(step.offset);
     if (substrate_.begin(step.duration, before.traction, before.displacement)) make_solvers();
     if (adhesive_)
-        solve_adhesive(step);
+        solve_adhesive(step, before);
     else if (coupling_.is_decoupled())
         solve_uncoupled(step, before);
     else
@@ -253,8 +254,8 @@ void StaggeredSolver::solve_under_bounds(const LoadStep& step, const StepStart& 
     if (points().mirrored) control[1] = {TangentialControl::Kind::shift, 0};
 
     if (now_.shift_factor == 0 && contact_area > 0) find_shift_factor();
-    const double contact_compliance =
-        now_.shift_factor * stiffness * now_.normal->length * contact_area / now_.normal->force;
+    const double contact_compliance = now_.shift_factor * stiffness * now_.normal->length *
+                                      contact_area / now_.normal->touch_force();
     for (double& increment : now_.tangential.shift_increment) increment *= stiffness;
     solve_growing({.bound = now_.bound,
                    .previous_displacement = displaced_before(before),

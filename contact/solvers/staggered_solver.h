@@ -64,7 +64,8 @@ class StaggeredSolver {
                     std::shared_ptr<const FrictionLaw> friction, double tolerance,
                     const ContactOptions& options);
 
-    /// The surfaces attract each other from now on: what is pressed without friction, uncoupled.
+    /// The surfaces attract each other from now on, uncoupled. They carry a shear strength where
+    /// they touch; under Coulomb's law they are pressed alone.
     void attract(const Attraction& attraction);
     /// How; null if they do not.
     const AdhesiveNormal* adhesive() const { return adhesive_ ? &*adhesive_ : nullptr; }
@@ -91,7 +92,9 @@ class StaggeredSolver {
     void resume(ContactSolution solution, double phase);
     /// What is prescribed of a step, ratios as the forces that they are at the present F_N.
     std::array<TangentialControl, 2> forces_and_shifts(const LoadStep& step) const;
-    FrictionLaw::Total total_friction() const { return {now_.normal->force, now_.total_bound}; }
+    FrictionLaw::Total total_friction() const {
+        return {now_.normal->touch_force(), now_.total_bound};
+    }
     /// Bound over pressure, in the mean of the present contact [-]: mu of Coulomb's law.
     double friction_ratio() const { return friction_->ratio(total_friction()); }
     /// Shift of the indenter over a point in the step by its rotation, and by the strain of the
@@ -127,7 +130,8 @@ class StaggeredSolver {
     void keep_pressure_change(long key);
     void solve_uncoupled(const LoadStep& step, const StepStart& before);
     void keep_normal();
-    void solve_adhesive(const LoadStep& step);
+    void roll_adhesive(const Vector2& offset);
+    void solve_adhesive(const LoadStep& step, const StepStart& before);
     void solve_coupled(const LoadStep& step, const StepStart& before);
     void iterate(const LoadStep& step, const StepStart& before);
     std::vector<std::uint8_t> may_touch() const;

@@ -2,8 +2,10 @@
 // each other, which always start from their last state.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "contact/base/error.h"
 #include "contact/solvers/staggered_solver.h"
 
 namespace tricontact::contact {
@@ -86,13 +88,53 @@ void StaggeredSolver::attract(const Attraction& attraction) {
     release();
 }
 
-/// From the last state on: another way to the same load may lead to another state.
-void StaggeredSolver::solve_adhesive(const LoadStep& step) {
+/// The substrate is the same all over, and so is the contact at another place: what attracts, and
+/// touches, moves along by whole points.
+void StaggeredSolver::roll_adhesive(const Vector2& offset) {
+    if (offset == now_.offset || !now_.normal->attracts()) return;
+    const ContactPoints& points = this->points();
+    if (points.n_x == 0)
+        throw InputError(name_ + ": surfaces that attract each other roll over grids alone");
+    std::array<int, 2> moved{};
+    for (int d = 0; d < 2; ++d) {
+        const auto cell = [&](double x) { return std::lround(x / points.spacing[d]); };
+        if (points.spacing[d] > 0)
+            moved[d] = static_cast<int>(cell(offset[d]) - cell(now_.offset[d]));
+    }
+    NormalSolution there = *now_.normal;
+    for (auto* field : {&there.pressure, &there.tension, &there.share}) {
+        const std::vector<double> here = *field;
+        std::ranges::fill(*field, 0);
+        for (int j = 0; j < points.n_y; ++j)
+            for (int i = 0; i < points.n_x; ++i) {
+                int x = i - moved[0], y = j - moved[1];
+                if (points.periodic) {
+                    x = (x % points.n_x + points.n_x) % points.n_x;
+                    y = (y % points.n_y + points.n_y) % points.n_y;
+                }
+                if (x < 0 || y < 0 || x >= points.n_x || y >= points.n_y) continue;
+                (*field)[static_cast<std::size_t>(j) * points.n_x + i] =
+                    here[static_cast<std::size_t>(y) * points.n_x + x];
+            }
+    }
+    const NormalControl held{now_.control.kind, now_.control.kind == NormalControl::Kind::force
+                                                    ? there.force
+                                                    : there.indentation};
+    coupling_.place(offset);
+    now_.normal =
+        std::make_shared<const NormalSolution>(adhesive_->settle(update_height(), held, there));
+}
+
+/// From the last state on: another way to the same load may lead to another state. Tensions carry
+/// nothing along the surface, a strength does wherever the surfaces touch.
+void StaggeredSolver::solve_adhesive(const LoadStep& step, const StepStart& before) {
     const std::vector<double> height = update_height();
     now_.normal = std::make_shared<const NormalSolution>(
         adhesive_->follow(height, step.normal, *now_.normal));
     now_.may_differ = adhesive_->has_other_state(height, step.normal, *now_.normal);
     now_.normal_iterations = now_.normal->iterations;
+    now_.tangential.shift_increment = {};
+    if (!friction_->coulomb()) solve_friction(step, before);
 }
 
 }  // namespace tricontact::contact

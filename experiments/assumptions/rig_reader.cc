@@ -172,7 +172,7 @@ void check_covered(const io::RigFile& file) {
         io::fail(document.place_of("substrate.thickness"), "", "missing key substrate.thickness",
                  "add thickness = \"8 mm\" or the like: rigs on a half-space are elastic");
     if (c.layer.thickness) {
-        c.require_no_bulk_stress("assumptions of rigs on a layer");
+        c.refuse_extras("assumptions of rigs on a layer");
         for (const char* key : {"substrate.yield_stress", "indenter.yield_stress"})
             if (document.find(key))
                 io::refuse(document, key, "strength is judged of rigs on a half-space alone",

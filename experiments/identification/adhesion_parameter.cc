@@ -45,6 +45,12 @@ void keep(const std::vector<std::size_t>& rows, std::vector<Value>& values) {
 void check_adhesive_tables(const Input& input, const std::vector<std::string>& find,
                            const io::Document& document) {
     const bool is_free = std::ranges::count(find, work_key) > 0;
+    const bool has_approach =
+        std::ranges::count(find, approach_key) > 0 || document.find(approach_key);
+    if (has_approach && !is_free && !document.find(work_key))
+        io::refuse(document, "measurement.find",
+                   "the work of approach is found beside that of separation",
+                   "add \"adhesion.work\", or state it in [adhesion]");
     if (!is_free && !document.find_section("adhesion")) return;
     const std::string place = is_free ? "measurement.find" : std::string(work_key);
     const auto refuse = [&](const std::string& rule, const std::string& remedy) {
@@ -59,6 +65,12 @@ void check_adhesive_tables(const Input& input, const std::vector<std::string>& f
                        " is evaluated without adhesion; force_indentation, contact_radius and "
                        "sliding_force know it",
                    "identify that table in a file of its own, or " + omit);
+    for (const Table& table : input.tables)
+        if (has_approach && table.measurement != Measurement::force_indentation)
+            refuse(std::string(key_of(table.measurement)) +
+                       " depends on what was pressed before where approach and separation differ",
+                   "identify that table in a file of its own, or leave out " +
+                       std::string(approach_key));
     for (const std::string& model : input.models) {
         const io::MeasurementModel& kind = io::measurement_model(model);
         if (!kind.is_theory)
@@ -112,6 +124,16 @@ FreeParameter work_parameter(const Input& input) {
             .low = least_work * start,
             .high = largest_work * start,
             .start = start};
+}
+
+FreeParameter approach_parameter() {
+    return {.key = std::string(approach_key),
+            .name = "approach_work_ratio",
+            .symbol = "w_r",
+            .scale = FreeParameter::Scale::linear,
+            .low = 0,
+            .high = 1,
+            .start = .5};
 }
 
 void keep_adhesive_rows(Table& table, const std::string& name) {

@@ -11,6 +11,8 @@ namespace tricontact::experiments {
 
 /// Work of adhesion w [J/m^2], as what is found.
 inline constexpr std::string_view work_key = "adhesion.work";
+/// Work of approach w_a, found as a share of w, w_r = w_a/w [-].
+inline constexpr std::string_view approach_key = "adhesion.approach_work";
 
 /// What the reader refuses of surfaces that attract each other: depths, radii and forces of full
 /// sliding alone tell it, by half-space and layer.
@@ -25,6 +27,7 @@ void check_adhesive_friction(const IdentificationInput& input, const io::Documen
 double guessed_work(const IdentificationInput& input, double radius);
 
 FreeParameter work_parameter(const IdentificationInput& input);
+FreeParameter approach_parameter();
 
 /// Leaves the rows of a table of depths that are evaluated. Those of other tables are in contact.
 /// Throws contact::InputError for rows that are not in the order of time. `name`: for messages.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "comparisons/half_space/layer.h"
@@ -21,6 +22,19 @@ theory::DiscScale disc_scale(const Case& rig) {
     return {rig.substrate.young, rig.indenter.radius, *rig.layer.thickness};
 }
 
+bool is_in_contact(AdhesiveWay way) {
+    return way == AdhesiveWay::joined || way == AdhesiveWay::held;
+}
+
+bool is_pulled(AdhesiveWay way) {
+    return way == AdhesiveWay::held || way == AdhesiveWay::separation;
+}
+
+/// w_a is found as a share of w, and stated by itself.
+double approach_work(const contact::Adhesion& adhesion) {
+    return std::min(adhesion.approach_work.value_or(adhesion.work), adhesion.work);
+}
+
 /// The branch that is stable under depth, and what lies below it.
 class ForceCurve {
   public:
@@ -34,13 +48,36 @@ class ForceCurve {
 
     double force_at(double depth, AdhesiveWay way) {
         if (way == AdhesiveWay::approach && depth < 0) return 0;
-        if (depth < least_) return way == AdhesiveWay::contact ? last_force_ : 0;
+        if (depth < least_) return is_in_contact(way) ? last_force_ : 0;
         return curve_.follow(touching_, {Kind::indentation, depth}).state.force;
     }
 
   private:
     AdhesiveCurve curve_;
     AdhesiveCurve::State touching_;
+    double least_ = 0, last_force_ = 0;
+};
+
+/// Pulled from a depth, the edge being held until it opens.
+class PulledCurve {
+  public:
+    PulledCurve(theory::AdhesiveHysteresis curve, double deepest) : curve_(std::move(curve)) {
+        turned_ = curve_.follow({}, {Kind::indentation, deepest}).state;
+        if (!turned_.touches()) return;
+        constexpr double above_end = 1e-8;  // as in ForceCurve
+        least_ = (1 - above_end) * curve_.pull_off(turned_.radius).last_indentation;
+        last_force_ = curve_.follow(turned_, {Kind::indentation, least_}).state.force;
+    }
+
+    double force_at(double depth, AdhesiveWay way) {
+        if (!turned_.touches()) return 0;
+        if (depth < least_) return is_in_contact(way) ? last_force_ : 0;
+        return curve_.follow(turned_, {Kind::indentation, depth}).state.force;
+    }
+
+  private:
+    theory::AdhesiveHysteresis curve_;
+    AdhesiveCurve::State turned_;
     double least_ = 0, last_force_ = 0;
 };
 
@@ -64,18 +101,42 @@ RigDiscs::RigDiscs(const Case& rig, bool on_layer, double step) {
         comparisons::elastic_layer(rig), rig.make_axisymmetric_indenter(), disc_scale(rig), step);
 }
 
-AdhesiveCurve RigDiscs::curve(const Case& rig) const {
-    const double modulus = rig.materials().effective_modulus(), work = rig.adhesion->work;
-    if (table_) return table_->curve(disc_scale(rig), modulus, work);
-    const std::shared_ptr<const contact::AxisymmetricIndenter> body =
-        rig.make_axisymmetric_indenter();
-    const auto family = [body, modulus](double a) {
+namespace {
+
+constexpr double beside_rim = 1 - 1e-6;
+
+/// Of the half-space, without energies.
+AdhesiveCurve::Family contacts_of(const std::shared_ptr<const contact::AxisymmetricIndenter>& body,
+                                  double modulus) {
+    return [body, modulus](double a) {
         return theory::DiscContact{.indentation = body->plane_profile(a),
                                    .force = modulus * body->pressed_area(a),
                                    .stiffness = 2 * modulus * a};
     };
-    constexpr double rim = 1 - 1e-6;
-    return {family, modulus, work, work / modulus, rim * body->outer_radius()};
+}
+
+}  // namespace
+
+AdhesiveCurve RigDiscs::curve(const Case& rig, bool approaches) const {
+    constexpr double least_share = 1e-14;  // as of AdhesiveHysteresis
+    const double modulus = rig.materials().effective_modulus(), separation = rig.adhesion->work;
+    const double work =
+        approaches ? std::max(approach_work(*rig.adhesion), least_share * separation) : separation;
+    if (table_) return table_->curve(disc_scale(rig), modulus, work);
+    const std::shared_ptr<const contact::AxisymmetricIndenter> body =
+        rig.make_axisymmetric_indenter();
+    return {contacts_of(body, modulus), modulus, work, work / modulus,
+            beside_rim * body->outer_radius()};
+}
+
+theory::AdhesiveHysteresis RigDiscs::hysteresis(const Case& rig) const {
+    const double modulus = rig.materials().effective_modulus(), work = rig.adhesion->work,
+                 approach = approach_work(*rig.adhesion);
+    if (table_) return table_->hysteresis(disc_scale(rig), modulus, work, approach);
+    const std::shared_ptr<const contact::AxisymmetricIndenter> body =
+        rig.make_axisymmetric_indenter();
+    return {contacts_of(body, modulus),       modulus, work, approach, work / modulus,
+            beside_rim * body->outer_radius()};
 }
 
 std::vector<double> adhesive_values(const Table& table, const IdentifiedRig& rig,
@@ -88,13 +149,19 @@ std::vector<double> adhesive_values(const Table& table, const IdentifiedRig& rig
             value *= value * std::numbers::pi * rig.as_case.friction.shear_strength.value();
         return forces;
     }
-    ForceCurve curve(discs.curve(rig.as_case));
+    ForceCurve curve(discs.curve(rig.as_case, true));
     const double zero = table.has_free_zero ? rig.zero_depths.at(table.place) : 0;
     const bool are_rows = given.size() == table.ways.size();
+    std::optional<PulledCurve> pulled;
+    if (!rig.as_case.adhesion->is_reversible())
+        pulled.emplace(discs.hysteresis(rig.as_case), std::ranges::max(given) - zero);
     std::vector<double> all;
-    for (std::size_t i = 0; i < given.size(); ++i)
-        all.push_back(
-            curve.force_at(given[i] - zero, are_rows ? table.ways[i] : AdhesiveWay::separation));
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const AdhesiveWay way = are_rows ? table.ways[i] : AdhesiveWay::separation;
+        const double depth = given[i] - zero;
+        all.push_back(pulled && is_pulled(way) ? pulled->force_at(depth, way)
+                                               : curve.force_at(depth, way));
+    }
     return all;
 }
 

@@ -1,4 +1,5 @@
 #include "experiments/identification/identification_models.h"
+#include "experiments/identification/adhesion_parameter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -246,6 +247,7 @@ IdentifiedRig rig_with(const IdentificationInput& input,
                       .loops_on_layer = has_loops_on_layer(input)};
     rig.zero_depths.assign(input.all(Measurement::force_indentation).size(), 0);
     Case& c = rig.as_case;
+    std::optional<double> approach_share;
     std::vector<double> relative;
     if (c.relaxation)
         for (const auto& branch : c.relaxation->branches)
@@ -262,9 +264,12 @@ IdentifiedRig rig_with(const IdentificationInput& input,
             rig.friction_drift = values[k];
         else if (p.key == zero_depth_key)
             rig.zero_depths.at(p.index) = values[k];
+        else if (p.key == approach_key)
+            approach_share = values[k];
         else
             *io::number_of(*io::find_key(p.key), c) = values[k];
     }
+    if (approach_share) c.adhesion->approach_work = *approach_share * c.adhesion->work;
     double relaxed_share = 1, last_time = 0;
     for (const double share : relative) relaxed_share -= share;
     if (!(relaxed_share > 0))

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "contact/base/error.h"
-#include "contact/relaxing_case.h"
 #include "experiments/identification/adhesion_parameter.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/interface_parameters.h"
@@ -74,6 +73,7 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
     io::Document rig = document;
     std::erase_if(rig.entries, [&](const io::Entry& entry) {
         const bool is_guessed = entry.path == "substrate.young" || entry.path == work_key ||
+                                entry.path == approach_key ||
                                 (is_of_law(entry.path) && entry.path != exponent_key);
         if (!input.laws.empty() && entry.path.starts_with("friction.")) return true;
         return (is_guessed && std::ranges::count(find, entry.path)) || !describes_rig(entry.path);
@@ -144,6 +144,7 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
                            input, key, radius, young / guessed_plane_share, normal_force))) +
                            " Pa/m");
     if (is_free(work_key)) guess(work_key, io::shortest(guessed_work(input, radius)) + " J/m2");
+    if (is_free(approach_key)) guess(approach_key, "0 J/m2");
     if (is_free("substrate.poisson") && !rig.find("substrate.poisson"))
         guess("substrate.poisson", guessed_poisson);
     const double ratio = guessed_friction(input, normal_force);
@@ -285,8 +286,8 @@ Input read_identification(const std::string& path, const std::vector<std::string
                     [&] { read_measured_table(table, least_rows + table.has_free_origin()); });
     check_loads(input, document);
     input.rig = rig_of(input, find, document);
-    input.rig.require_no_bulk_stress("identified values");
-    contact::require_elastic_indenter(input.rig, "identified values");
+    input.rig.refuse_extras("identified values", {contact::Case::Extra::elastic_interface,
+                                                  contact::Case::Extra::adhesion});
     input.rig.title = input.title;
     input.unread = unread_keys(document, input.find(Measurement::friction_loop) != nullptr);
     if (std::ranges::count(find, "substrate.young") > 0 && io::states_unrelaxed(document))

@@ -1,4 +1,5 @@
 #include "experiments/identification/identification_study.h"
+#include "experiments/identification/adhesion_parameter.h"
 
 #include <fmt/format.h>
 
@@ -246,6 +247,9 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Identificatio
             report::given_quantity(*rig.interface.tangential_stiffness, "Pa/m"));
     if (input.rig.adhesion)
         add("adhesion.work", "w", report::given_quantity(input.rig.adhesion->work, "J/m2"));
+    if (input.rig.adhesion && input.rig.adhesion->approach_work)
+        add(approach_key.data(), "w_a",
+            report::given_quantity(*input.rig.adhesion->approach_work, "J/m2"));
     if (!input.find(Measurement::static_shift) && !input.find(Measurement::rolling_shift))
         return settings;
     const auto* shifts = input.find(Measurement::static_shift);  // all of them state loads or none

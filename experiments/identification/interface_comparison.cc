@@ -16,10 +16,9 @@ namespace {
 IdentificationInput without(IdentificationInput input, const std::vector<std::string>& keys) {
     for (const std::string& key : keys) {
         std::erase_if(input.parameters, [&](const FreeParameter& p) { return p.key == key; });
-        if (key == work_key) {
-            input.rig.adhesion.reset();
-            continue;
-        }
+        if (key == work_key) input.rig.adhesion.reset();
+        if (key == approach_key && input.rig.adhesion) input.rig.adhesion->approach_work.reset();
+        if (key == work_key || key == approach_key) continue;
         (key == normal_stiffness_key ? input.rig.interface.normal_stiffness
                                      : input.rig.interface.tangential_stiffness)
             .reset();
@@ -45,7 +44,7 @@ InterfaceFit fit_of(IdentificationInput input, const contact::ModelRunner& runne
 }  // namespace
 
 bool is_of_interface(std::string_view key) {
-    return is_stiffness(key) || key == work_key;
+    return is_stiffness(key) || key == work_key || key == approach_key;
 }
 
 InterfaceComparison compare_interfaces(const IdentificationInput& input,
@@ -55,9 +54,12 @@ InterfaceComparison compare_interfaces(const IdentificationInput& input,
     for (const FreeParameter& p : input.parameters)
         if (is_of_interface(p.key)) keys.push_back(p.key);
     std::vector<std::vector<std::string>> rigid{keys};
-    if (keys.size() == 2) rigid.insert(rigid.end(), {{keys[1]}, {keys[0]}});
-    rigid.emplace_back();
     InterfaceComparison comparison{.is_adhesion = input.rig.adhesion.has_value()};
+    if (comparison.is_adhesion && keys.size() == 2)
+        rigid.push_back({std::string(approach_key)});  // one work for both
+    else if (keys.size() == 2)
+        rigid.insert(rigid.end(), {{keys[1]}, {keys[0]}});
+    rigid.emplace_back();
     for (const auto& held : rigid)
         comparison.fits.push_back(fit_of(without(input, held), runner, model));
     const InterfaceFit& all = comparison.fits.back();

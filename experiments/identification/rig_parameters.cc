@@ -165,6 +165,8 @@ std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
             parameters.push_back(length(key, "thickness_m", "b", *rig.layer.thickness));
         } else if (key == work_key) {
             parameters.push_back(work_parameter(input));
+        } else if (key == approach_key) {
+            parameters.push_back(approach_parameter());
         } else if (is_stiffness(key)) {
             parameters.push_back(stiffness_parameter(input, key));
         } else if (key == rig_stiffness_key) {

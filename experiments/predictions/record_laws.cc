@@ -9,7 +9,6 @@
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
 #include "contact/models/model_kind.h"
-#include "contact/relaxing_case.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/predictions/found_numbers.h"
 #include "report/format.h"
@@ -22,10 +21,7 @@ constexpr double largest_correlation = 1 - 1e-6;
 
 /// What of a case the tables may tell beside friction.
 void check_found(const IdentificationInput& tables) {
-    tables.rig.require_rigid_interface("predictions of records");
-    tables.rig.require_no_bulk_stress("predictions of records");
-    tables.rig.require_no_adhesion("predictions of records");
-    contact::require_elastic_indenter(tables.rig, "predictions of records");
+    tables.rig.refuse_extras("predictions of records");
     constexpr std::array<std::string_view, 3> numbers{"substrate.young", "substrate.poisson",
                                                       "indenter.radius"};
     for (const FreeParameter& p : tables.parameters)

@@ -22,6 +22,15 @@ void check_adhesive_model(const std::string& model, const Case& c, const Documen
         refuse(document, used(document, "adhesion.range", "adhesion.peak_stress"),
                "the springs of " + model + " let go at the edge alone, the range is 0 there",
                "leave out " + model + ", or omit the range");
+    if (kind.is_meshed() && !c.is_pressed_only())
+        refuse(document, key,
+               "friction under tension, and rolling, are computed by mdr and mdr-layer",
+               "take them, set load.tangential_ratio = 0 and omit rolling and shifts, or " +
+                   omit_adhesion);
+    if (!kind.is_on_line() && !c.adhesion->is_reversible())
+        refuse(document, "adhesion.approach_work",
+               model + " knows one work of adhesion for approach and separation",
+               "take mdr or mdr-layer, or omit it");
     if (kind.couples && c.contact.coupling &&
         (!kind.is_half_space() || contact::half_spaces_couple(c.materials())))
         refuse(document, key,
@@ -30,16 +39,50 @@ void check_adhesive_model(const std::string& model, const Case& c, const Documen
                "set contact.coupling = false");
 }
 
+void check_works(const Case& c, const Document& document) {
+    const contact::Adhesion& adhesion = *c.adhesion;
+    const std::string key = "adhesion.approach_work";
+    if (adhesion.approach_work.value_or(0) > adhesion.work)
+        refuse(document, key, "more is gained by the approach than separation takes",
+               "give at most adhesion.work");
+    if (!adhesion.is_reversible() && !adhesion.is_short_ranged())
+        refuse(document, key, "with a range one work of adhesion is computed",
+               "omit it, or the range");
+}
+
+/// Tangential loads, shifts and rolling.
+void check_adhesive_friction(const Case& c, const Document& document) {
+    if (!c.friction.is_strength_alone())
+        refuse(document, "adhesion.work",
+               "what friction carries under tension is known of a shear strength alone, tau_0 "
+               "wherever the surfaces touch; the case has tau = " +
+                   c.friction.formula(),
+               "give friction.shear_strength alone, set load.tangential_ratio = 0 and omit rolling "
+               "and shifts, or " +
+                   omit_adhesion);
+    if (c.tractive_rolling)
+        refuse(document, "adhesion.work",
+               "rolling on of surfaces that attract each other is not computed",
+               "roll back and forth by [rolling], or " + omit_adhesion);
+    if (!c.adhesion->is_reversible() &&
+        (c.rolling || (c.prescribed_path && c.prescribed_path->reach() != contact::Vector2{})))
+        refuse(document, "adhesion.approach_work",
+               "a contact that rolls closes in front by less work than opens it behind, and is no "
+               "disc then",
+               "omit it, or rolling and offsets");
+    if (c.has_bulk_stress())
+        refuse(document, "adhesion.work",
+               "surfaces that attract each other under a bulk stress are not computed",
+               "omit bulk_stress, or " + omit_adhesion);
+}
+
 }  // namespace
 
 void check_adhesion(const Case& c, const Document& document) {
     if (!c.adhesion) return;
     const std::string key = "adhesion.work";
-    if (!c.is_pressed_only())
-        refuse(document, key,
-               "surfaces that attract each other are pressed and pulled off; friction under "
-               "tension, and rolling, are not computed",
-               "set load.tangential_ratio = 0 and omit rolling and shifts, or " + omit_adhesion);
+    check_works(c, document);
+    if (!c.is_pressed_only()) check_adhesive_friction(c, document);
     if (c.law != Case::Law::linear)
         refuse(document, key, "finite strains know no surfaces that attract each other",
                R"(set substrate.material to "linear", or )" + omit_adhesion);

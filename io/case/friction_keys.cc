@@ -124,6 +124,12 @@ std::vector<CaseKey> adhesion_keys() {
                       "other",
                       {.required = true}),
          at<&Case::adhesion, &Adhesion::work>},
+        {quantity_key("adhesion.approach_work", Dimension::energy_per_area, from_zero(1e6),
+                      R"("20 mJ/m2")",
+                      "w_a, what is gained as the surfaces come together, at most w: the edge of "
+                      "the contact stays where it is as long as less than w parts it and more than "
+                      "w_a closes it; w by default"),
+         at<&Case::adhesion, &Adhesion::approach_work>},
         {quantity_key("adhesion.range", Dimension::length, from_zero(1e6), R"("0.2 um")",
                       "distance over which they do; 0: none, by Johnson, Kendall and Roberts",
                       {.default_value = R"("0 m")", .alternative = adhesion_range}),

@@ -117,6 +117,7 @@ std::vector<Key> measurement_keys() {
              {"rig.pivot_height"},
              {"rig.tangential_stiffness"},
              {"adhesion.work"},
+             {"adhesion.approach_work"},
              {"zero_depth"}},
             R"(["substrate.young"])",
             "what follows from the tables; of E, mu, strengths, w and the pivot the case "

@@ -102,6 +102,7 @@ void check_at_depth(const Case& c, const HalfSpaceScales& scales, const Document
     const double mean = std::abs(*c.load.tangential_ratio);
     // On the half-space; that of a layer falls no less where the indentation falls.
     const auto force = [&](double factor) {
+        if (c.adhesion) return 1.;  // as in check_friction_limit
         Case other = c;
         other.load.indentation = *c.load.indentation * factor;
         return contact::half_space_scales(other).normal_force / scales.normal_force;
@@ -200,7 +201,10 @@ void check_friction_limit(const Case& c, const HalfSpaceScales& scales, const Do
         refuse(document, key,
                "F_T/(mu F_N) = " + rounded(mean) + " is not below 1: the contact slides",
                "reduce it below mu F_N = " + rounded(limit) + " N");
-    const double worst = largest_ratio(c.load, mean, [](double factor) { return factor; });
+    // The area that attraction holds follows no force in proportion: the model tells whether it
+    // carries the rest.
+    const double worst =
+        largest_ratio(c.load, mean, [&](double factor) { return c.adhesion ? 1 : factor; });
     check_oscillating_ratio(key, worst, document);
     check_tells_sliding(c, key, worst, document);
 }

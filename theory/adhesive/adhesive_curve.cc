@@ -60,8 +60,21 @@ AdhesiveCurve::AdhesiveCurve(Family family, double modulus, double work, double 
 
 AdhesiveCurve::State AdhesiveCurve::at(double radius) const {
     const DiscContact disc = family_(radius);
-    const double l = std::sqrt(2 * pi * radius * work_ / modulus_) / disc.edge;
-    // The body pressed to d_0 and the punch pulled back by l.
+    return pulled(radius, disc, std::sqrt(2 * pi * radius * work_ / modulus_) / disc.edge);
+}
+
+AdhesiveCurve::State AdhesiveCurve::held(double radius, const NormalControl& control) const {
+    const DiscContact disc = family_(radius);
+    const bool by_force = control.kind == Kind::force;
+    State s = pulled(radius, disc,
+                     by_force ? (disc.force - control.value) / disc.stiffness
+                              : disc.indentation - control.value);
+    (by_force ? s.force : s.indentation) = control.value;
+    return s;
+}
+
+/// The body pressed to d_0 and the punch pulled back by l.
+AdhesiveCurve::State AdhesiveCurve::pulled(double radius, const DiscContact& disc, double l) {
     return {.radius = radius,
             .indentation = disc.indentation - l,
             .force = disc.force - disc.stiffness * l,
@@ -233,9 +246,9 @@ contact::PullOff AdhesiveCurve::pull_off() {
             .last_indentation = least(Kind::indentation).indentation};
 }
 
-AdhesiveCurve half_space_curve(const contact::AxisymmetricIndenter& body, double modulus,
-                               double work) {
-    const auto family = [&body, modulus](double a) {
+AdhesiveCurve::Family half_space_contacts(const contact::AxisymmetricIndenter& body,
+                                          double modulus) {
+    return [&body, modulus](double a) {
         const double d = body.plane_profile(a);
         // Of the springs, E* (d - g)^2 dx; split where the profile has kinks.
         const LineMesh mesh(a, body.kinks(), 24);
@@ -249,9 +262,13 @@ AdhesiveCurve half_space_curve(const contact::AxisymmetricIndenter& body, double
                            .energy = modulus * energy,
                            .stiffness = 2 * modulus * a};
     };
+}
+
+AdhesiveCurve half_space_curve(const contact::AxisymmetricIndenter& body, double modulus,
+                               double work) {
     // Of the length w/E*, from where the search doubles.
-    const double rim = body.outer_radius() * (1 - 1e-6);
-    return {family, modulus, work, work / modulus, rim};
+    return {half_space_contacts(body, modulus), modulus, work, work / modulus,
+            body.outer_radius() * (1 - 1e-6)};
 }
 
 }  // namespace tricontact::theory

@@ -49,6 +49,8 @@ class AdhesiveCurve {
         bool touches() const { return radius > 0; }
     };
     State at(double radius) const;
+    /// The edge being held there, whatever its energy release rate.
+    State held(double radius, const contact::NormalControl& control) const;
 
     struct Motion {
         State state;
@@ -72,6 +74,8 @@ class AdhesiveCurve {
     using Kind = contact::NormalControl::Kind;
     struct Walk;
 
+    static State pulled(double radius, const DiscContact& disc, double l);
+
     void extend();
     const State& node(int k);
     State crossing(const State& below, const State& above, Kind kind, double level) const;
@@ -86,7 +90,11 @@ class AdhesiveCurve {
     std::vector<State> nodes_;  // at radii that grow by a constant factor
 };
 
-/// On an elastic half-space of the modulus E* [Pa]; exact. `body` shall outlive the curve.
+/// Contacts of a body of revolution, which shall outlive them, on an elastic half-space of the
+/// modulus E* [Pa]; exact.
+AdhesiveCurve::Family half_space_contacts(const contact::AxisymmetricIndenter& body,
+                                          double modulus);
+/// On the half-space; `body` shall outlive the curve.
 AdhesiveCurve half_space_curve(const contact::AxisymmetricIndenter& body, double modulus,
                                double work);
 

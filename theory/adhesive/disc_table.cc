@@ -73,8 +73,12 @@ DiscContact DiscTable::at(double a, const DiscScale& scale) {
 }
 
 AdhesiveCurve DiscTable::curve(const DiscScale& scale, double modulus, double work) {
-    return {[this, scale](double a) { return at(a, scale); }, modulus, work, scale.thickness / 8,
-            (1 - 1e-12) * largest_ * scale.thickness};
+    return {contacts(scale), modulus, work, scale.thickness / 8, widest(scale)};
+}
+
+AdhesiveHysteresis DiscTable::hysteresis(const DiscScale& scale, double modulus, double work,
+                                         double approach_work) {
+    return {contacts(scale), modulus, work, approach_work, scale.thickness / 8, widest(scale)};
 }
 
 }  // namespace tricontact::theory

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "theory/adhesive/adhesive_hysteresis.h"
 #include "theory/adhesive/adhesive_layer.h"
 
 namespace tricontact::theory {
@@ -29,12 +30,20 @@ class DiscTable {
     DiscContact at(double contact_radius, const DiscScale& scale);
     /// Refers to this table. `modulus`: E* [Pa].
     AdhesiveCurve curve(const DiscScale& scale, double modulus, double work);
+    AdhesiveHysteresis hysteresis(const DiscScale& scale, double modulus, double work,
+                                  double approach_work);
 
   private:
     struct Node {
         double indentation, force, stiffness, edge;  // logarithms
     };
     const Node& node(std::size_t k);
+    AdhesiveCurve::Family contacts(const DiscScale& scale) {
+        return [this, scale](double a) { return at(a, scale); };
+    }
+    double widest(const DiscScale& scale) const {  // [m]
+        return (1 - 1e-12) * largest_ * scale.thickness;
+    }
 
     std::shared_ptr<const contact::AxisymmetricIndenter> body_;
     AdhesiveCurve::Family family_;

@@ -88,16 +88,12 @@ constinit const RolledLaw strength_rolling{
 
 const RolledLaw* rolled_law(const contact::Friction& friction) {
     if (friction.is_coulomb()) return &coulomb_rolling;
-    const bool is_strength = friction.shear_strength && !friction.coefficient &&
-                             !friction.strength_limit && !friction.map && !friction.rate;
-    return is_strength ? &strength_rolling : nullptr;
+    return friction.is_strength_alone() ? &strength_rolling : nullptr;
 }
 
 const RolledLaw& require_rolled_law(const contact::Case& c, const std::string& what,
                                     const std::string& place) {
-    c.require_rigid_interface(what);
-    c.require_no_bulk_stress(what);
-    c.require_no_adhesion(what);
+    c.refuse_extras(what, {contact::Case::Extra::relaxing_indenter});
     const RolledLaw* law = rolled_law(c.friction);
     if (!law)
         throw contact::InputError(

@@ -54,8 +54,8 @@ AdhesiveRows adhesive_rows(const std::vector<double>& depths, const std::vector<
         if (approaches && jumps_in && at <= least_in) continue;
         if (!approaches && jumps_off && at >= least_out) continue;
         found.rows.push_back(static_cast<std::size_t>(at - begin));
-        found.ways.push_back(approaches  ? jumps_in ? AdhesiveWay::contact : AdhesiveWay::approach
-                             : jumps_off ? AdhesiveWay::contact
+        found.ways.push_back(approaches  ? jumps_in ? AdhesiveWay::joined : AdhesiveWay::approach
+                             : jumps_off ? AdhesiveWay::held
                                          : AdhesiveWay::separation);
     }
     return found;

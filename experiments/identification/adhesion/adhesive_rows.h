@@ -10,8 +10,9 @@ namespace tricontact::experiments {
 /// beyond it are left out, and those before it are in contact whatever their depth.
 enum class AdhesiveWay {
     approach,    ///< apart up to the depth of first touch
-    contact,     ///< held by tension, at any depth
-    separation,  ///< in contact down to the depth at which it lets go
+    joined,      ///< approaching, held by tension at any depth
+    held,        ///< pulled, held by tension at any depth
+    separation,  ///< pulled, in contact down to the depth at which it lets go
 };
 
 /// Rows of a force curve that are evaluated.

@@ -81,6 +81,18 @@ std::vector<Verdict> interface_verdicts(const IdentificationStudy& study) {
                                                    : "springs of the interface from a rigid one",
                                        criteria(rigid), fit_numbers(rigid))});
     }
+    if (is_adhesion && fits.size() == 3) {
+        const bool differ = fits[1].is_excluded;
+        verdicts.push_back(
+            {differ ? finding : not_resolved,
+             differ ? fmt::format("One work of adhesion for approach and separation is excluded "
+                                  "({}); it would give {}.",
+                                  criteria(fits[1]), bias_of_rigid(fits[1], all))
+                    : fmt::format("These data do not tell the work of approach from that of "
+                                  "separation ({}), with which {}.",
+                                  criteria(fits[1]), fit_numbers(fits[1]))});
+        return verdicts;
+    }
     for (std::size_t i = 1; i + 1 < fits.size(); ++i)
         if (rigid.is_excluded)
             verdicts.push_back(

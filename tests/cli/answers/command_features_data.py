@@ -92,6 +92,7 @@ pressed = {f"run {model}": {**at_rest, "load.tangential_ratio": "0.0"} for model
 hemisphere = {"indenter.body": '"hemisphere"', "indenter.support": '"holder"'}
 on_hub = {"indenter.body": '"cylinder"', "indenter.support": '"hub"', "indenter.hub_radius": '"10 mm"'}
 still = {"rolling.*": None, "tractive_rolling.*": None, "load.tangential_ratio": "0.0"}
+tacky = {"friction.coefficient": None, "adhesion.work": '"0.5 J/m2"'}
 in_hole = {**still, "substrate.thickness": None, "substrate.width": None, "substrate.depth": None, "substrate.shape": '"hole"', "substrate.hole_radius": '"40.5 mm"',
            "substrate.outer_radius": '"400 mm"', "indenter.shape": '"cylinder"', "indenter.length": '"60 mm"'}
 flat_punch = {**still, **body, "indenter.shape": '"flat-punch"', "indenter.flat_radius": '"3 mm"'}
@@ -168,6 +169,13 @@ features = [
     feature("adhesion", "adhesion.*", "adhesion|attract|contact.coupling|[adhesion]|rolling|[rolling]", {**still}, {**still, "adhesion.work": '"0.5 J/m2"'},
             over_for={"identify": {"load.*": None, "substrate.thickness": None, "measurement.static_shift": None, "measurement.models": '["half-space"]',
                                    "measurement.force_indentation": '"curve.csv"'}}),
+    feature("adhesion with hysteresis", "adhesion.approach_work", "adhesion|attract|approach|contact.coupling|[adhesion]|rolling|[rolling]",
+            {**still, "adhesion.work": '"0.5 J/m2"'}, {**still, "adhesion.work": '"0.5 J/m2"', "adhesion.approach_work": '"0.2 J/m2"'},
+            over_for={**{name: {"models": '["mdr"]'} for name in ("check", "predict")},
+                      "identify": {"load.*": None, "substrate.thickness": None, "measurement.static_shift": None, "measurement.models": '["half-space"]',
+                                   "measurement.force_indentation": '"curve.csv"'}}),
+    feature("friction of surfaces that attract each other", "", "adhesion|attract|friction|Coulomb|contact.coupling|[adhesion]|rolling|[rolling]",
+            {**tacky, "friction.shear_strength": '"50 kPa"'}, {**tacky, "friction.shear_strength": '"70 kPa"'}),
     feature("friction falling with the slip", "friction.rate.*", "friction.rate|friction|Coulomb", {}, falling,
             other_for={"run rolling on": {**falling, "tractive_rolling.speed": '"1 m/s"', "tractive_rolling.distance": None}}),
     feature("friction falling with the way of slip", "friction.weakening.*", "friction.weakening|friction|Coulomb|[rolling]",

@@ -68,7 +68,44 @@ assert width["pull_off_force_N"] < .05 * exact["pull_off_force_N"]
 assert model["steps_of_other_states"] > 0
 PYTHON
 
-# 6. What does not know it says so.
+# 6. Rolled with a shear strength: tau_0 over JKR's area, its limit and shift over its radius, which a run, predict
+# and limit share.
+rolling=$source_dir/examples/cases/adhesive_rolling.toml
+"$program" run "$rolling" --output rolled --quiet >text 2>&1 || complain "not rolled: $(cat text)"
+"$program" predict "$rolling" --json >prediction.json || complain "rolling not predicted"
+"$program" limit "$rolling" --tolerance 1e-4 --output limit --quiet >text 2>&1 || complain "no limit: $(cat text)"
+"$python" - <<'PYTHON' || complain "rolling"
+import json, math
+w, R, E, G, F, tau, x = 60e-3, 5e-3, 2e6, 4 / 3 * 1e6, .5e-3, 40e3, .25
+t = math.pi * w * R
+a = (3 * R / 4 / E * (F + 3 * t + math.sqrt(6 * t * F + 9 * t * t))) ** (1 / 3)
+limit = 2 / math.pi * (math.acos(x) - x * math.sqrt(1 - x * x))
+model = json.load(open("rolled/summary.json"))["models"]["mdr"]
+predicted = json.load(open("prediction.json"))["models"]["mdr"]
+value = lambda p, key: p[key]["value"] if isinstance(p.get(key), dict) else p[key]
+assert abs(model["contact_radius_m"] / a - 1) < 1e-6
+assert abs(model["unit_shift_m"] / (2 * tau * a / G) - 1) < 1e-4
+assert model["state"] == "shakedown" and abs(model["limit_tangential_ratio"] - limit) < 1e-4
+for key in ("static_shift_m", "settled_shift_m", "kappa", "limit_amplitude_ratio"):
+    assert abs(model[key] / value(predicted, key) - 1) < 2e-3, key
+assert abs(model["kappa"] - 4 / math.pi) < 2e-3
+found = json.load(open("limit/limit.json"))["models"]["mdr"]
+assert abs(found["limit"] - limit) < 2e-4, found
+PYTHON
+
+# 7. Separation that takes more than the approach gains: a loop loses more than its jumps, off at the same force.
+"$program" run "$case" --set 'adhesion.approach_work="20 mJ/m2"' --output hysteresis --quiet >text 2>&1 || complain "no hysteresis: $(cat text)"
+"$python" - <<'PYTHON' || complain "hysteresis"
+import csv, json, math
+model = json.load(open("hysteresis/summary.json"))["models"]["mdr"]
+assert abs(model["pull_off_force_N"] / (1.5 * math.pi * 60e-3 * 5e-3) - 1) < 1e-6
+def lost(folder):
+    return sum(float(r["released_energy_J"]) for r in csv.DictReader(open(folder + "/mdr/history.csv")))
+# (w - w_a) over the widest contact, of the radius of w_a at 10 um, less what the larger jump in of w loses.
+assert lost("hysteresis") > lost("out") * 1.2, (lost("hysteresis"), lost("out"))
+PYTHON
+
+# 8. What does not know it says so.
 for command in "deviation" "contact export --output x" "experiment" "rig" "benchmark deck --for calculix"; do
     "$program" $command "$case" >text 2>&1 && complain "$command takes adhesion"
 done

@@ -90,7 +90,7 @@ TEST(BemRelaxingIndenter, OnAnElasticSubstrateNotAllRelaxes) {
     EXPECT_EQ(contact::what_stays(c), contact::Unrelaxed::substrate);
     EXPECT_EQ(&contact::relaxing_material(c), &*c.indenter.material);
     EXPECT_THROW(contact::common_relaxation("mdr", c), contact::InputError);
-    EXPECT_THROW(contact::require_elastic_indenter(c, "designs"), contact::InputError);
+    EXPECT_THROW(c.refuse_extras("designs"), contact::InputError);
 }
 
 // What is given at once belongs to the body that relaxes.

@@ -9,6 +9,8 @@
 #include <numbers>
 
 #include "contact/base/error.h"
+#include "mdr/layer_model.h"
+#include "mdr/model.h"
 #include "theory/adhesive/adhesive_layer.h"
 
 namespace tricontact::adhesive_model_test {
@@ -42,7 +44,7 @@ constexpr auto by_force = NormalControl::Kind::force, by_depth = NormalControl::
 // a^3 = 9 pi w R^2/(8 E*): 10000 springs leave 1e-8.
 TEST(AdhesiveModel, IsThatOfJohnsonKendallAndRoberts) {
     const Case c = pressed(.02);
-    const auto model = mdr::make_adhesive_model("mdr", c);
+    const auto model = mdr::make_model(c);
     const double modulus = c.materials().effective_modulus(), unit = pi * work * radius;
     for (const double f : {.02, .004, 0., -.4 * unit, -1.4 * unit}) {
         model->advance(step_of(by_force, f));
@@ -61,7 +63,7 @@ TEST(AdhesiveModel, IsThatOfJohnsonKendallAndRoberts) {
 // lost is what the force has done, by steps that end next to the jumps.
 TEST(AdhesiveModel, LoopUnderDepthLosesItsWorkInTwoJumps) {
     const Case c = pressed(.02);
-    const auto model = mdr::make_adhesive_model("mdr", c);
+    const auto model = mdr::make_model(c);
     const double modulus = c.materials().effective_modulus();
     const double unit = std::cbrt(std::pow(pi * work / modulus, 2) * radius);
     EXPECT_EQ(model->advance(step_of(by_depth, -unit)).contact_area, 0);
@@ -97,7 +99,7 @@ TEST(AdhesiveModel, OnALayerIsTheExactOne) {
         for (const double thickness : {2e-4, 2e-3}) {
             Case c = pressed(.02, nu);
             c.layer.thickness = thickness;
-            const auto model = mdr::make_adhesive_model("mdr-layer", c);
+            const auto model = mdr::make_layer_model(c);
             auto exact = theory::layer_curve({c.substrate, thickness}, body, work);
             EXPECT_NEAR(model->pull_off()->force / exact.pull_off().force, 1, 1e-4);
             const auto r = model->advance(step_of(by_force, .02));
@@ -110,7 +112,7 @@ TEST(AdhesiveModel, OnALayerIsTheExactOne) {
 
 // Tractions carry F, their tension at the edge included; 1e-2 of what is drawn.
 TEST(AdhesiveModel, ShowsTensionBesideTheEdge) {
-    const auto model = mdr::make_adhesive_model("mdr", pressed(.002));
+    const auto model = mdr::make_model(pressed(.002));
     model->advance(step_of(by_force, .002));
     const auto s = model->surface();
     EXPECT_GT(s.normal_traction[s.n_x / 2], 0);
@@ -121,7 +123,7 @@ TEST(AdhesiveModel, ShowsTensionBesideTheEdge) {
 }
 
 TEST(AdhesiveModel, RefusesWhatDoesNotPress) {
-    const auto model = mdr::make_adhesive_model("mdr", pressed(.02));
+    const auto model = mdr::make_model(pressed(.02));
     LoadStep step = step_of(by_force, .02);
     step.tangential[0].value = 1e-3;
     EXPECT_THROW(model->advance(step), contact::InputError);

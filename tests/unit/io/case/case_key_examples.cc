@@ -96,7 +96,8 @@ TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
             std::vector<std::string> overrides{example};
             if (key.path == "friction.rate.memory_speed")
                 overrides.emplace_back(R"(friction.rate.memory_length="3 um")");
-            if (key.section() == "adhesion" && key.path != "adhesion.work")
+            if (key.path == "adhesion.range" || key.path == "adhesion.peak_stress" ||
+                key.path == "adhesion.law")
                 overrides.emplace_back(R"(models=["bem"])");
             if (key.path == "adhesion.law") overrides.emplace_back(R"(adhesion.range="1 um")");
             if (key.path == "indenter.height")

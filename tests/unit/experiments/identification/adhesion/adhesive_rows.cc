@@ -18,7 +18,7 @@ TEST(AdhesiveRows, EndAtTheJumps) {
     const AdhesiveRows found = adhesive_rows(depths, forces, .01);
     EXPECT_TRUE(found.shows_jump);
     EXPECT_EQ(found.rows, (Rows{3, 4, 5, 6}));
-    EXPECT_EQ(found.ways, Ways(4, contact));
+    EXPECT_EQ(found.ways, (Ways{joined, joined, held, held}));
     EXPECT_EQ(found.n_onsets, 1);
 }
 
