@@ -66,7 +66,8 @@ double force_by_section(Case c) {
 }
 
 // Beside sections, which have nothing of these meshes: 3 elements in the contact radius, .3 %. A
-// ball on a hub by FreeFem++ with its contact by mortar: .30643 N.
+// ball on a hub by FreeFem++ with its contact by mortar: .30643 N. The circle of a punch has
+// chords, so that its faces are smaller: on elements of half the size it is right to 3e-4.
 TEST(FemIndenterBodies, BodiesInLayersHaveTheForceOfTheirSections) {
     Case c = hemisphere_case(.3, 1e-4);
     c.of<fem::Settings>().size = 1e-3 / 3;
@@ -85,7 +86,7 @@ TEST(FemIndenterBodies, BodiesInLayersHaveTheForceOfTheirSections) {
     for (const auto support : {ElasticBody::Support::holder, ElasticBody::Support::pressure}) {
         c.indenter.body = ElasticBody{ElasticBody::Form::punch, support};
         c.indenter.body->height = 8e-3;
-        EXPECT_NEAR(press(*make_layer_model(c), c).normal_force / force_by_section(c), 1, .005);
+        EXPECT_NEAR(press(*make_layer_model(c), c).normal_force / force_by_section(c), 1, .012);
     }
 }
 
