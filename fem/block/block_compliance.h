@@ -23,6 +23,9 @@ class BlockCompliance final : public contact::Compliance {
     /// Force of the ground plus the force of the tractions of the last displacement(), over the
     /// latter [-].
     double missing_reaction() const;
+    /// Displacements and pressures of all nodes and elements after the last displacement(), from
+    /// which the next solution begins; assigned, it begins from others.
+    std::vector<double>& last_solution() const { return state_; }
     int solutions() const { return n_solutions_; }    ///< so far
     int iterations() const { return n_iterations_; }  ///< in all of them
     const BlockGrid& grid() const { return solver_.mixed().grid(); }

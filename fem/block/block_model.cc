@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/base/error.h"
+#include "contact/base/state_bytes.h"
 
 // With C the block's compliance and L the lattice's, a step solves contact with u = L t + d for a
 // given d, then d <- (C - L) t: a fixed point whose contraction is that of L^-1 (C - L), a few
@@ -88,6 +89,33 @@ void BlockModel::audit_step() {
     audit_ = linear_.audit();
     audit_.record("base_reaction", worst_reaction_, tolerance_);
     audit_.record("work_is_stored", worst_mismatch_, tolerance_);
+}
+
+/// Written or read: all but the contact's own state.
+template <class Archive, class Self>
+void BlockModel::transfer_correction(Archive& archive, Self& m) {
+    auto& correction = *m.correction_;
+    for (auto* field : {&correction.offset, &correction.traction, &correction.displacement})
+        for (auto* component : components(*field)) archive(*component);
+    archive(correction.stored, correction.mismatch, m.worst_reaction_, m.worst_mismatch_,
+            m.elasticity_.block->last_solution());
+}
+
+std::string BlockModel::write_state() const {
+    contact::StateWriter out;
+    out(linear_.write_state());
+    transfer_correction(out, *this);
+    audit_.write(out);
+    return out.take();
+}
+
+void BlockModel::read_state(std::string_view bytes) {
+    contact::StateReader in(bytes);
+    std::string linear;
+    in(linear);
+    linear_.read_state(linear);
+    transfer_correction(in, *this);
+    audit_.read(in);
 }
 
 }  // namespace tricontact::fem

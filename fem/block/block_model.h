@@ -35,8 +35,14 @@ class BlockModel final : public contact::Model {
     /// Coupled only.
     std::unique_ptr<Model> sibling(const contact::Case::Contact& options) const override;
     const contact::Audit& audit() const override { return audit_; }
+    /// With the block's last solution, 8 bytes for each unknown: what begins from another one
+    /// differs within the tolerance.
+    std::string write_state() const override;
+    void read_state(std::string_view bytes) override;
 
   private:
+    template <class Archive, class Self>
+    static void transfer_correction(Archive& archive, Self& m);
     double update_correction(double indentation);
     void audit_step();
 
