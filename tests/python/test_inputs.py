@@ -20,6 +20,8 @@ RIG = "rigs/sphere_parallel.toml"
 # Of each function that takes a case: an example and a cheap call.
 CALLS = {
     "run": (BALL, lambda case: tricontact.run(case, overrides=SMALL, studies=False)),
+    "wear": ("cases/fretting_wear.toml", lambda case: tricontact.wear(
+        case, models=["mdr"], overrides={"wear.cycles": 1000, "mdr.springs": 200}, studies=False)),
     "limit": (BALL, lambda case: tricontact.limit(case, overrides=SMALL, tolerance=0.1)),
     "predict": (BALL, tricontact.predict),
     "deviation": ("cases/rig_layer_parallel.toml", lambda case: tricontact.deviation(case, no_runs=True)),
