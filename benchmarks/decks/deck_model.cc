@@ -273,10 +273,9 @@ double DeckModel::height(double x, double y) const {
     return indenter->height(x / to_mm, y / to_mm) * to_mm;
 }
 
-void require_one_body(const DeckModel& model) {
-    if (model.upper)
-        refuse("two bodies that deform have no deck of meshes alone",
-               "take calculix, abaqus, freefem or getfem");
+void require_plane_bodies(const DeckModel& model) {
+    if (model.upper && model.shape == DeckModel::Shape::half)
+        refuse("two bodies that deform have meshes alone as sections", "leave out --half");
 }
 
 DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes) {
