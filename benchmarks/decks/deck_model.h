@@ -94,9 +94,6 @@ struct DeckModel {
 /// Throws contact::InputError where no deck can have what the case has.
 DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes);
 
-/// Throws contact::InputError where two bodies deform that are no sections.
-void require_plane_bodies(const DeckModel& model);
-
 /// The face of a flat rigid body.
 std::shared_ptr<const contact::Indenter> flat_face();
 

@@ -77,7 +77,8 @@ DeckMesh mesh_of(const BodyMesh& body, bool is_quadratic) {
         for (const auto& edge : edges)
             mesh.node_sets[set].insert(mesh.node_sets[set].end(), edge.begin(), edge.end());
     };
-    if (!body.held.empty()) mesh.node_sets["NBASE"] = body.held;
+    // A single node is that at which a force acts: the contact alone holds the body.
+    if (body.held.size() > 1) mesh.node_sets["NBASE"] = body.held;
     if (!body.axis.empty()) mesh.node_sets["NAXIS"] = body.axis;
     add("NCONTACT", body.contact);
     add("NLOAD", body.loaded);
@@ -187,7 +188,6 @@ std::string vtu_text(const DeckMesh& mesh) {
 }
 
 DeckFamily mesh_family(const DeckModel& model, const DeckWishes& wishes) {
-    if (model.upper) require_plane_bodies(model);
     const std::string element = wishes.elements.empty() ? "quadratic" : wishes.elements;
     if (element != "quadratic" && element != "linear")
         throw contact::InputError("deck: elements " + element +

@@ -31,7 +31,7 @@ verdict 3 "${hertz[@]}"
 "$program" benchmark deck hemisphere --code freefem --levels 1 --output deck >readme.txt || complain "no deck"
 grep -q 'contact radius 1.024[567]' deck/hemisphere_n4.edp || complain "radius of the deck: $(head -1 deck/hemisphere_n4.edp)"
 ! grep -q block_width deck/submission.toml || complain "half a ball has no block"
-refused 'have meshes alone as sections' benchmark deck hemisphere_on_layer --code mesh --half --output deck --quiet
+refused 'are pressed along their axis' benchmark deck hemisphere_on_layer --code mesh --half --output deck --quiet
 # Meshes alone of both bodies, which the program reads no further.
 "$program" benchmark deck hemisphere_on_layer --code mesh --levels 1 --output meshes >readme.txt || complain "no meshes"
 for body in lower upper; do
