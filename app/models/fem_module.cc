@@ -8,9 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "app/models/fem_entries.h"
 #include "app/models/mesh_entries.h"
+#include "fem/case/indenter_body.h"
 #include "fem/case/layer_condenser.h"
 #include "fem/case/model.h"
 #include "fem/case/section_model.h"
@@ -113,7 +116,7 @@ void require_rigid_indenter(const Case& c, const std::string& does) {
                                   c.indenter.body->key() + " out");
 }
 
-/// A case's layer on its way into the cache.
+/// What a case condenses, on its way into the cache: its layer, its indenter's body.
 class Order {
   public:
     explicit Order(const CondenseOptions& options)
@@ -126,43 +129,69 @@ class Order {
                 "name a folder");
     }
 
-    /// Empty when the layer is there already.
+    /// The next body that is not there already; empty: there is none any more.
     std::optional<fem::LayerProblem> problem() {
-        require_rigid_indenter(case_, "cache condense condenses");
-        if (case_.of<fem::Settings>().solver == fem::Solver::iterative)
-            throw contact::InputError(
-                "fem.solver: the iterative solver condenses nothing; leave it out");
-        auto problem = fem::problem_of(case_, fem::make_mesh(case_, say_plainly));
-        key_ = fem::LayerCache::key(problem);
-        n_elements_ = problem.mesh.hexes.size();
-        auto claim = cache_.claim(
-            key_, [] { say("another process condenses this layer, which is waited for"); });
-        if (claim.layer) {
-            say(fmt::format("condensed layer is there already: {} ({} contact nodes)",
-                            cache_.path_of(key_), claim.layer->points.size()));
-            return std::nullopt;
+        if (!is_read_) read();
+        while (!bodies_.empty()) {
+            auto [what, problem] = std::move(bodies_.front());
+            bodies_.erase(bodies_.begin());
+            what_ = what;
+            key_ = fem::LayerCache::key(problem);
+            n_elements_ = problem.mesh.hexes.size();
+            auto claim = cache_.claim(key_, [&] {
+                say(fmt::format("another process condenses this {}, which is waited for", what_));
+            });
+            if (claim.layer) {
+                say(fmt::format("condensed {} is there already: {} ({} contact nodes)", what_,
+                                cache_.path_of(key_), claim.layer->points.size()));
+                continue;
+            }
+            if (!claim.why.empty())
+                say(fmt::format("condensed {} recomputed: {}", what_, claim.why));
+            reservation_ = std::move(claim.reservation);
+            return std::move(problem);
         }
-        if (!claim.why.empty()) say(fmt::format("condensed layer recomputed: {}", claim.why));
-        reservation_ = std::move(claim.reservation);
-        return problem;
+        return std::nullopt;
     }
 
-    void keep(const fem::CondensedLayer& layer) const {
+    void keep(const fem::CondensedLayer& layer) {
         std::string why;
         if (!cache_.store(key_, layer, &why))
             throw std::runtime_error("condensed layer not kept: " + why);
         const auto taken = std::chrono::steady_clock::now() - start_;
-        say(
-            fmt::format("layer of {} elements condensed to {} contact nodes in {:.1f} s, kept in "
-                        "{}",
-                        n_elements_, layer.points.size(),
+        say(fmt::format("{} of {} elements condensed to {} contact nodes in {:.1f} s, kept in {}",
+                        what_, n_elements_, layer.points.size(),
                         std::chrono::duration<double>(taken).count(), cache_.path_of(key_)));
+        reservation_.reset();
     }
 
   private:
+    /// The bodies that a run of the case condenses.
+    void read() {
+        is_read_ = true;
+        if (case_.of<fem::Settings>().solver == fem::Solver::iterative)
+            throw contact::InputError(
+                "fem.solver: the iterative solver condenses nothing; leave it out");
+        if (!case_.indenter.body) {
+            bodies_.emplace_back("layer",
+                                 fem::problem_of(case_, fem::make_mesh(case_, say_plainly)));
+            return;
+        }
+        if (case_.indenter.body->mesh)
+            throw contact::InputError(
+                "indenter.mesh: cache condense condenses bodies of its own meshes; leave it out");
+        const meshes::LayerMeshSpec spec = fem::mesh_spec(case_, say_plainly);
+        bodies_.emplace_back("indenter", fem::indenter_problem(case_, spec));
+        if (!case_.has_rigid_substrate)
+            bodies_.emplace_back("layer", fem::problem_of(case_, make_layer_mesh(spec)));
+    }
+
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     Case case_;
     fem::LayerCache cache_;
+    bool is_read_ = false;
+    std::vector<std::pair<const char*, fem::LayerProblem>> bodies_;
+    const char* what_ = "layer";
     std::string key_;
     std::unique_ptr<files::PartialFile> reservation_;
     std::size_t n_elements_ = 0;
@@ -224,7 +253,7 @@ void condense_layer(const CondenseOptions& options) {
         return;
     }
     Order order(options);
-    if (const auto problem = order.problem()) order.keep(fem::condense(*problem));
+    while (const auto problem = order.problem()) order.keep(fem::condense(*problem));
 }
 
 /// "2026-01-31 08:15" of a layer's last use.

@@ -151,8 +151,8 @@ void set_round_body(DeckModel& model, const contact::Case& c) {
     const Body& body = *c.indenter.body;
     const bool is_round = body.form == Body::Form::hemisphere || body.form == Body::Form::ball ||
                           body.form == Body::Form::cylinder;
-    if (!is_round || body.support == Body::Support::hub)
-        refuse("bodies of decks are hemispheres, balls and cylinders between plates",
+    if (!is_round || body.support == Body::Support::hub || body.is_loose())
+        refuse("bodies of decks are hemispheres on holders, balls and cylinders between plates",
                "take one of these, or compare results of an input of your own");
     if (model.shape == DeckModel::Shape::half || (model.mu > 0 && c.has_rigid_substrate))
         refuse(
@@ -271,12 +271,6 @@ bool DeckModel::is_shifted() const {
 
 double DeckModel::height(double x, double y) const {
     return indenter->height(x / to_mm, y / to_mm) * to_mm;
-}
-
-void require_one_body(const DeckModel& model) {
-    if (model.upper)
-        refuse("two bodies that deform have no deck of meshes alone",
-               "take calculix, abaqus, freefem or getfem");
 }
 
 DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes) {

@@ -94,9 +94,6 @@ struct DeckModel {
 /// Throws contact::InputError where no deck can have what the case has.
 DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes);
 
-/// Throws contact::InputError where two bodies deform.
-void require_one_body(const DeckModel& model);
-
 /// The face of a flat rigid body.
 std::shared_ptr<const contact::Indenter> flat_face();
 

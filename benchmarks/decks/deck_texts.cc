@@ -167,9 +167,13 @@ std::string readme_text(const DeckModel& model, const DeckFamily& family, bool h
     if (family.runs.front().command.empty())
         write_paragraph(
             text,
-            "The meshes (.msh of Gmsh 4.1, .vtu) have the parts base, side, contact, and axis or "
-            "symmetry. Make an input for your code, and let it write the CSV files that "
-            "submission.toml names, with the columns r [mm] (or x [mm], y [mm]) and p [MPa].");
+            std::string("The meshes (.msh of Gmsh 4.1, .vtu) ") +
+                (model.upper ? "are two of each size, lower and upper, one of each body. They have "
+                               "the parts contact, axis (x = 0), base (what holds the body, or "
+                               "moves it) and loaded (under a pressure), where there are such"
+                             : "have the parts base, side, contact, and axis or symmetry") +
+                ". Make an input for your code, and let it write the CSV files that "
+                "submission.toml names, with the columns r [mm] (or x [mm], y [mm]) and p [MPa].");
     write_paragraph(text, "Units: mm, N, MPa. " + load_words(model));
     write_paragraph(text, block_words(model));
     if (!family.method.empty()) write_paragraph(text, method_words(model, family));

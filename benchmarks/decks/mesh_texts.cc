@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "benchmarks/decks/contact_mesh.h"
+#include "benchmarks/decks/pair_bodies.h"
 #include "contact/base/error.h"
 
 namespace tricontact::benchmarks {
@@ -15,11 +16,8 @@ namespace {
 struct SetName {
     const char *set, *name;
 };
-constexpr SetName set_names[]{{"NBASE", "base"},
-                              {"NSIDE", "side"},
-                              {"NCONTACT", "contact"},
-                              {"NAXIS", "axis"},
-                              {"NSYM", "symmetry"}};
+constexpr SetName set_names[]{{"NBASE", "base"}, {"NSIDE", "side"},    {"NCONTACT", "contact"},
+                              {"NAXIS", "axis"}, {"NSYM", "symmetry"}, {"NLOAD", "loaded"}};
 
 std::vector<char> flags_of(const DeckMesh& mesh, const std::string& set) {
     std::vector<char> flags(mesh.nodes.size(), 0);
@@ -67,6 +65,33 @@ void write_msh_elements(Out out, int dimension, int entity, int& number,
         for (const int node : in_gmsh_order(element)) fmt::format_to(out, " {}", node + 1);
         fmt::format_to(out, "\n");
     }
+}
+
+DeckMesh mesh_of(const BodyMesh& body, bool is_quadratic) {
+    DeckMesh mesh;
+    mesh.is_quadratic = is_quadratic;
+    mesh.nodes = body.nodes;
+    mesh.elements = body.elements;
+    mesh.n_body_elements = mesh.n_elements();
+    const auto add = [&](const char* set, const std::vector<std::vector<int>>& edges) {
+        for (const auto& edge : edges)
+            mesh.node_sets[set].insert(mesh.node_sets[set].end(), edge.begin(), edge.end());
+    };
+    // A single node is that at which a force acts: the contact alone holds the body.
+    if (body.held.size() > 1) mesh.node_sets["NBASE"] = body.held;
+    if (!body.axis.empty()) mesh.node_sets["NAXIS"] = body.axis;
+    add("NCONTACT", body.contact);
+    add("NLOAD", body.loaded);
+    return mesh;
+}
+
+/// Names of files and what they contain.
+std::vector<std::pair<std::string, DeckMesh>> meshes_of(const DeckModel& model, int n, int level,
+                                                        bool is_quadratic) {
+    if (!model.upper) return {{"", block_mesh(model, n, level, is_quadratic)}};
+    const BodyPair pair = body_pair(model, n, level, is_quadratic);
+    return {{"_lower", mesh_of(pair.lower, is_quadratic)},
+            {"_upper", mesh_of(pair.upper, is_quadratic)}};
 }
 
 }  // namespace
@@ -163,7 +188,6 @@ std::string vtu_text(const DeckMesh& mesh) {
 }
 
 DeckFamily mesh_family(const DeckModel& model, const DeckWishes& wishes) {
-    require_one_body(model);
     const std::string element = wishes.elements.empty() ? "quadratic" : wishes.elements;
     if (element != "quadratic" && element != "linear")
         throw contact::InputError("deck: elements " + element +
@@ -176,9 +200,10 @@ DeckFamily mesh_family(const DeckModel& model, const DeckWishes& wishes) {
         run.n = coarsest << level;
         run.size = model.a / run.n;
         const std::string job = fmt::format("{}_n{}", model.name, run.n);
-        const DeckMesh mesh = block_mesh(model, coarsest, level, element == "quadratic");
-        run.files.push_back({job + ".msh", msh_text(mesh)});
-        run.files.push_back({job + ".vtu", vtu_text(mesh)});
+        for (const auto& [name, mesh] : meshes_of(model, coarsest, level, element == "quadratic")) {
+            run.files.push_back({job + name + ".msh", msh_text(mesh)});
+            run.files.push_back({job + name + ".vtu", vtu_text(mesh)});
+        }
         run.field = job + ".csv";
     }
     return family;

@@ -10,7 +10,7 @@ namespace tricontact::benchmarks {
 
 /// Part of the boundary of a block, as meshes for other codes name it.
 struct NamedFaces {
-    std::string name;  ///< "base", "side", "contact", "axis", "symmetry"
+    std::string name;  ///< "base", "side", "contact", "axis", "symmetry", "loaded"
     std::vector<ElementFace> faces;
 };
 /// Of a block's mesh, from its node sets.
@@ -22,7 +22,8 @@ std::string msh_text(const DeckMesh& mesh);
 /// VTK's unstructured grid (ASCII), point data of 0 and 1 for each part of the boundary.
 std::string vtu_text(const DeckMesh& mesh);
 
-/// Meshes of the block alone, for any code: elements "linear" or "quadratic".
+/// Meshes for any code: of the block alone or, where two bodies deform, of each of them; elements
+/// "linear" or "quadratic".
 DeckFamily mesh_family(const DeckModel& model, const DeckWishes& wishes);
 
 }  // namespace tricontact::benchmarks

@@ -164,6 +164,10 @@ std::vector<std::string> body_deviation_sentences(const Case& c, const BodyDevia
         sentences.emplace_back(
             "Nothing holds a body between plates against a tangential force: its U_max is that of "
             "the half held along x in the middle plane.");
+    if (c.indenter.body->is_loose() && knows_u_max)
+        sentences.emplace_back(
+            "Nothing holds a body that a pressure presses against a tangential force: its U_max is "
+            "that of the body held at the face that the pressure loads.");
     return sentences;
 }
 

@@ -10,14 +10,16 @@ namespace tricontact::fem::distributed {
 namespace {
 
 void condense_by(const Session& session, const SharedOrder& order) {
-    std::optional<LayerProblem> problem;
-    session.agree_on_first([&] { problem = order.problem(); });
-    bool is_needed = problem.has_value();
-    session.broadcast(&is_needed, sizeof(is_needed));
-    if (!is_needed) return;
-    problem = broadcast(std::move(problem).value_or(LayerProblem{}), session);
-    const auto layer = condense(*problem, session, order.say);
-    session.agree_on_first([&] { order.keep(layer); });
+    while (true) {
+        std::optional<LayerProblem> problem;
+        session.agree_on_first([&] { problem = order.problem(); });
+        bool is_needed = problem.has_value();
+        session.broadcast(&is_needed, sizeof(is_needed));
+        if (!is_needed) return;
+        problem = broadcast(std::move(problem).value_or(LayerProblem{}), session);
+        const auto layer = condense(*problem, session, order.say);
+        session.agree_on_first([&] { order.keep(layer); });
+    }
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 namespace tricontact::fem::distributed {
 
-/// A layer that all ranks condense together. The first one alone reads its problem, empty if there
-/// is nothing to do, keeps the layer and speaks.
+/// Layers and bodies that all ranks condense together, one after another. The first one alone reads
+/// the next problem, empty if there is none any more, keeps what was condensed and speaks.
 struct SharedOrder {
     std::function<std::optional<LayerProblem>()> problem;
     std::function<void(const CondensedLayer&)> keep;

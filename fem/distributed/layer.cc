@@ -307,6 +307,12 @@ LayerProblem broadcast(LayerProblem problem, const Session& session) {
 }
 
 CondensedLayer condense(const LayerProblem& problem, const Session& session, const Say& say) {
+    session.agree([&] {
+        if (problem.needs_symmetry())
+            throw contact::InputError(
+                "indenter.support: ranks condense bodies that are held; condense one between "
+                "plates or under a pressure without mpirun");
+    });
     Stages stages(session, say);
     const Stiffness stiffness(problem, session);
     stages.finished(fmt::format("stiffness of {} unknowns on {} ranks", stiffness.n_unknowns,

@@ -31,7 +31,13 @@ verdict 3 "${hertz[@]}"
 "$program" benchmark deck hemisphere --code freefem --levels 1 --output deck >readme.txt || complain "no deck"
 grep -q 'contact radius 1.024[567]' deck/hemisphere_n4.edp || complain "radius of the deck: $(head -1 deck/hemisphere_n4.edp)"
 ! grep -q block_width deck/submission.toml || complain "half a ball has no block"
-refused 'have no deck of meshes alone' benchmark deck hemisphere_on_layer --code mesh --output deck --quiet
+refused 'are pressed along their axis' benchmark deck hemisphere_on_layer --code mesh --half --output deck --quiet
+# Meshes alone of both bodies, which the program reads no further.
+"$program" benchmark deck hemisphere_on_layer --code mesh --levels 1 --output meshes >readme.txt || complain "no meshes"
+for body in lower upper; do
+    grep -q '"contact"' "meshes/hemisphere_on_layer_n4_$body.msh" && grep -q '"base"' "meshes/hemisphere_on_layer_n4_$body.msh" ||
+        complain "parts of the mesh of the $body body"
+done
 
 # Two bodies by the decks of FreeFem++ and GetFEM, as these computed them.
 foreign=$source_dir/tests/benchmarks/foreign

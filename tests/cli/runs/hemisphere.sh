@@ -19,7 +19,10 @@ case=$source_dir/examples/cases/hemisphere.toml
 quick=(--no-report --no-studies --set "load.indentation=1 mm" --set "fem.size=0.84 mm" --set load.press=frictionless)
 
 # Reference: axisymmetric finite elements of another program, F = 14.3762(6) N; with the parabola as gap 1.3072 of Hertz' force.
+# Condensed ahead of the run, which finds it.
+"$program" cache condense "$case" --set "load.indentation=1 mm" --set "fem.size=0.84 mm" >log 2>&1 || complain "$(cat log)"
 "$program" run "$case" "${quick[@]}" -o sphere >log 2>&1 || complain "$(cat log)"
+grep -q "condensed indenter reused" log || complain "the condensed indenter is not found: $(cat log)"
 near "force of the hemisphere" "$(of sphere fem normal_force_N)" 14.3762 .003
 near "peak pressure" "$(of sphere fem peak_pressure_Pa)" 590600 .01
 "$program" run "$case" "${quick[@]}" --set indenter.shape=paraboloid -o parabola >log 2>&1 || complain "$(cat log)"

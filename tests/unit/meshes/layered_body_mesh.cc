@@ -66,8 +66,8 @@ TEST(MeshesLayeredBody, BallOnAHubIsSoundAndMatchesTheLayer) {
             expect_sound_and_matching(mesh, patch, half);
             const double exact = (half ? 2 : 4) * std::numbers::pi / 3 *
                                  (std::pow(s.radius, 3) - std::pow(s.hub_radius, 3));
-            // Chords of at most 18 degrees: (18/57.3)^2/8 and less.
-            EXPECT_NEAR(volume_of(mesh) / exact, 1, .02);
+            // Edges are straight, and elements grow to 30 degrees where nothing touches.
+            EXPECT_NEAR(volume_of(mesh) / exact, 1, .03);
             for (const auto& face : mesh.faces) {
                 if (face.boundary == Boundary::symmetry) continue;
                 const double radius = face.boundary == Boundary::base ? s.hub_radius : s.radius;

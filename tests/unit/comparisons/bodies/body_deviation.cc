@@ -129,6 +129,9 @@ TEST(BodyDeviation, WhatElseIsTakenForGrantedIsSaid) {
     c.indenter.body->support = ElasticBody::Support::plates;
     EXPECT_TRUE(says(body_deviation_sentences(c, *body_deviation(c, results(), {}, {})),
                      "Nothing holds a body between plates"));
+    c.indenter.body->support = ElasticBody::Support::pressure;
+    EXPECT_TRUE(says(body_deviation_sentences(c, *body_deviation(c, results(), {}, {})),
+                     "held at the face that the pressure loads"));
 }
 
 TEST(BodyDeviation, DepthsInPlaneStrainAreNotDefinite) {
