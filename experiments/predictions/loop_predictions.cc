@@ -65,7 +65,13 @@ class ComputedLoop {
     double energy() const { return energy_; }
     /// Amplitude of the drive at which all slides [m]; not a number without gross slip.
     double sliding_shift() const { return sliding_shift_; }
-    comparisons::SlipRegime regime() const { return loop_.regime; }
+    /// As of measured loops, of which those that are closed count as sticking.
+    comparisons::SlipRegime regime() const {
+        const double around = 4 * loop_.force_amplitude * loop_.shift_amplitude;
+        const bool is_closed = energy_ < closed_loop_ratio * around;
+        using enum comparisons::SlipRegime;
+        return loop_.regime == partial_slip && is_closed ? stick : loop_.regime;
+    }
 
     /// At the rows of a measured loop, `state` being where these count from.
     std::vector<double> forces_at(const LoopRows& rows, const LoopState& state) const {

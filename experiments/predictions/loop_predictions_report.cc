@@ -41,13 +41,23 @@ struct Place {
     }
 };
 
-std::vector<Place> compared(const LoopPrediction& prediction) {
+/// What tests a model, and how much does not as the loops do not tell what it runs with.
+struct Compared {
     std::vector<Place> places;
+    int n_untold = 0;
+};
+
+Compared compared(const LoopPrediction& prediction) {
+    Compared result;
     for (const SeriesPrediction& series : prediction.series)
-        for (const LoopNumber& number : series.numbers)
-            if (number.is_compared() && !number.is_found)
-                places.push_back({&number, series.series});
-    return places;
+        for (const LoopNumber& number : series.numbers) {
+            if (!number.is_compared() || number.is_found) continue;
+            if (std::isfinite(number.standard_error()))
+                result.places.push_back({&number, series.series});
+            else
+                ++result.n_untold;
+        }
+    return result;
 }
 
 /// Series whose regime is not the model's; "mixed" ones have none that a model could have.
@@ -66,7 +76,12 @@ std::string other_regimes(const LoopPrediction& prediction, const LoopFindings& 
 
 Verdict verdict_of(const LawPrediction& law, const LoopPrediction& prediction,
                    const IdentificationStudy& study, double confidence) {
-    const auto places = compared(prediction);
+    const auto [places, n_untold] = compared(prediction);
+    if (places.empty())
+        return {.standing = not_resolved,
+                .sentence = fmt::format("{} under {} is not tested: the loops do not tell the "
+                                        "values that it runs with.",
+                                        prediction.model, law.law)};
     const auto furthest = std::ranges::max_element(places, {}, &Place::deviations);
     // Of all numbers together (Bonferroni).
     const double level = 1 - (1 - confidence) / static_cast<double>(places.size());
@@ -86,6 +101,9 @@ Verdict verdict_of(const LawPrediction& law, const LoopPrediction& prediction,
         report::share(deviation, 2));
     sentence +=
         regimes.empty() ? "Its regimes are the measured ones." : "Regimes differ: " + regimes + ".";
+    if (n_untold > 0)
+        sentence += fmt::format(
+            " Left out: {} further numbers, for which the loops do not tell the values.", n_untold);
     if (!prediction.why_no_mesh_error.empty())
         sentence += " The error of its mesh is not known: " + prediction.why_no_mesh_error + ".";
     return {.standing = agrees ? pass : fail,
