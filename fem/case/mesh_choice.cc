@@ -50,15 +50,16 @@ Vector2 path_extent(const Case& c, double contact_radius) {
 }
 
 /// What acts on the points: pressure, or the tension of surfaces that attract each other. Elements
-/// of the probe are too large for most ranges: then it has none, over a ring of the least width.
+/// of the probe are too large for short ranges: then it has none, over a ring of the largest of
+/// those.
 std::vector<double> carried_by(const Case& c, const contact::Compliance& compliance,
                                const std::vector<double>& height,
                                const contact::NormalControl& control) {
     const auto pressed = contact::NormalSolver(compliance, probe_tolerance).solve(height, control);
     if (!c.adhesion) return pressed.pressure;
     const double modulus = c.materials().effective_modulus();
-    const auto attracted = [&](const contact::AttractionLaw& law) {
-        const auto attraction = attraction_on(compliance.points(), law, modulus, probe_ring);
+    const auto attracted = [&](const contact::AttractionLaw& law, double ring) {
+        const auto attraction = attraction_on(compliance.points(), law, modulus, ring);
         auto s =
             contact::AdhesiveNormal(contact::models::fem, compliance, attraction, probe_tolerance)
                 .settle(height, control, {});
@@ -67,11 +68,12 @@ std::vector<double> carried_by(const Case& c, const contact::Compliance& complia
         return s.tension;
     };
     contact::AttractionLaw law = c.adhesion->attraction();
+    if (c.adhesion->is_short_ranged()) return attracted(law, probe_ring);
     try {
-        return attracted(law);
+        return attracted(law, contact::points_without_range);
     } catch (const contact::InputError&) {
         law.distance = 0;
-        return attracted(law);
+        return attracted(law, contact::least_points_of_range);
     }
 }
 
