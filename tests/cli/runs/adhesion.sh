@@ -68,23 +68,7 @@ assert width["pull_off_force_N"] < .05 * exact["pull_off_force_N"]
 assert model["steps_of_other_states"] > 0
 PYTHON
 
-# 6. By elements, four in the radius at pull-off, on a layer as thick as that; their fields for ParaView.
-"$program" run "$case" --models fem,mdr-layer --set contact.coupling=false --set 'substrate.thickness="0.14 mm"' \
-    --set 'fem.size="35 um"' --set path.steps=2 --output elements --no-studies --quiet >text 2>&1 ||
-    complain "no elements: $(cat text)"
-"$python" - <<'PYTHON' || complain "elements"
-import json
-models = json.load(open("elements/summary.json"))["models"]
-fem, exact = models["fem"], models["mdr-layer"]
-assert abs(fem["pull_off_force_N"] / exact["pull_off_force_N"] - 1) < .03
-assert abs(fem["contact_radius_m"] / exact["contact_radius_m"] - 1) < .03
-for name in ("traction_follows_separation", "base_reaction"):
-    assert fem["audit"][name]["passed"], name
-surface = open("elements/fem/surface.ex2", "rb").read()
-assert all(field in surface for field in (b"tension_Pa", b"separation_work_J_per_m2", b"attraction_state"))
-PYTHON
-
-# 7. What does not know it says so.
+# 6. What does not know it says so.
 for command in "deviation" "contact export --output x" "experiment" "rig" "benchmark deck --for calculix"; do
     "$program" $command "$case" >text 2>&1 && complain "$command takes adhesion"
 done
