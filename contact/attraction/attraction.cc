@@ -16,8 +16,6 @@ namespace {
 /// Of tensions, over sigma_0: an exponential law ends where it has fallen to that.
 constexpr double no_tension = 1e-7;
 
-constexpr double least_points = 2;  // of the zone in which tension acts
-
 }  // namespace
 
 double point_distance(const ContactPoints& points) {
@@ -78,11 +76,11 @@ Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, 
     }
     const double strength = law.work / law.distance,
                  length = std::numbers::pi / 8 * squared / (strength * strength);
-    if (length < least_points * size)
+    if (length < least_points_of_range * size)
         throw InputError(fmt::format(
             "adhesion: the tension of {:.4g} Pa acts over {:.3g} m beside the contact, less than "
-            "two of the cells or elements of {:.3g} m; make those finer, or the range longer, or "
-            "set it to 0",
+            "two cells, or two thirds of elements, of {:.3g} m; make those finer, or the range "
+            "longer, or set it to 0",
             strength, length, size));
     return {.strength = strength,
             .distance = law.distance,

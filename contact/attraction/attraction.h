@@ -36,6 +36,9 @@ double point_distance(const ContactPoints& points);
 /// In points, of the zone beside the contact in which a tension acts that stands for range 0.
 inline constexpr double points_without_range = 3;
 
+/// The least of a range above 0.
+inline constexpr double least_points_of_range = 2;
+
 /// Of a law on these points, `modulus` E* of the pair [Pa]. Without a range sigma_0 is such
 /// that the tension acts over `wide` points beside the contact. Throws InputError where it acts
 /// over fewer than two.

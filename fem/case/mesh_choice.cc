@@ -49,30 +49,42 @@ Vector2 path_extent(const Case& c, double contact_radius) {
     return {reach[0], contact::is_mirror_symmetric(c) ? 0 : reach[1]};
 }
 
-/// What acts on the points: pressure, or the tension of surfaces that attract each other. Elements
-/// of the probe are too large for most ranges: then it has none, over a ring of the least width.
+/// Pressure or tension on the points of surfaces that attract each other. Elements of the probe are
+/// too large for short ranges: then it has none, and the tension acts where gaps are within them.
+std::vector<double> attracted_by(const Case& c, const contact::Compliance& compliance,
+                                 const std::vector<double>& height,
+                                 const contact::NormalControl& control) {
+    const double modulus = c.materials().effective_modulus();
+    contact::AttractionLaw law = c.adhesion->attraction();
+    contact::Attraction finite{
+        .strength = 0, .distance = law.distance, .decays = law.decays, .is_short_ranged = false};
+    if (law.distance > 0) finite.strength = law.work / law.distance;
+    const auto settled = [&](double ring) {
+        return contact::AdhesiveNormal(contact::models::fem, compliance,
+                                       attraction_on(compliance.points(), law, modulus, ring),
+                                       probe_tolerance)
+            .settle(height, control, {});
+    };
+    contact::NormalSolution s;
+    try {
+        s = settled(probe_ring);
+    } catch (const contact::InputError&) {
+        law.distance = 0;
+        s = settled(contact::least_points_of_range);
+    }
+    for (std::size_t i = 0; i < s.tension.size(); ++i) {
+        const double gap = s.displacement[i] + height[i] - s.indentation;
+        s.tension[i] = std::max(
+            {s.tension[i], s.pressure[i], finite.strength > 0 ? finite.tension(gap, 0) : 0});
+    }
+    return s.tension;
+}
+
 std::vector<double> carried_by(const Case& c, const contact::Compliance& compliance,
                                const std::vector<double>& height,
                                const contact::NormalControl& control) {
-    const auto pressed = contact::NormalSolver(compliance, probe_tolerance).solve(height, control);
-    if (!c.adhesion) return pressed.pressure;
-    const double modulus = c.materials().effective_modulus();
-    const auto attracted = [&](const contact::AttractionLaw& law) {
-        const auto attraction = attraction_on(compliance.points(), law, modulus, probe_ring);
-        auto s =
-            contact::AdhesiveNormal(contact::models::fem, compliance, attraction, probe_tolerance)
-                .settle(height, control, {});
-        for (std::size_t i = 0; i < s.tension.size(); ++i)
-            s.tension[i] = std::max(s.tension[i], s.pressure[i]);
-        return s.tension;
-    };
-    contact::AttractionLaw law = c.adhesion->attraction();
-    try {
-        return attracted(law);
-    } catch (const contact::InputError&) {
-        law.distance = 0;
-        return attracted(law);
-    }
+    if (c.adhesion) return attracted_by(c, compliance, height, control);
+    return contact::NormalSolver(compliance, probe_tolerance).solve(height, control).pressure;
 }
 
 /// Largest distance of a point in contact, or held by attraction, from the centre [m]; 0 when the

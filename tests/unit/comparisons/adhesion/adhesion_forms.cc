@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -86,6 +88,23 @@ TEST(AdhesionForms, SentencesTellTheRegime) {
     EXPECT_NE(text(1e-7).find("short-ranged"), std::string::npos) << text(1e-7);
     EXPECT_NE(text(1e-6).find("Maugis' transition"), std::string::npos) << text(1e-6);
     EXPECT_NE(text(1e-3).find("long-ranged"), std::string::npos) << text(1e-3);
+}
+
+// Of a range the curves of none and of a long one stand beside: the least forces are those of
+// pull-off, which is between both, and Hertz' contact begins with -2 pi w R.
+TEST(AdhesionForms, CurvesLieBetweenTheirLimits) {
+    const Case c = sphere({.work = work, .peak_stress = 16e3});
+    const auto curves = comparisons::adhesive_equilibria(c);
+    ASSERT_EQ(curves.size(), 3u);
+    const double unit = pi * work * radius;
+    std::array<double, 3> least{};
+    for (int k = 1; k <= 2000; ++k)
+        for (std::size_t i = 0; i < 3; ++i)
+            least[i] = std::min(least[i], curves[i].at(1e-7 * k)[1] / unit);
+    EXPECT_NEAR(least[0], -adhesive_forms(c)->pull_off.force / unit, 1e-5);
+    EXPECT_NEAR(least[1], -1.5, 1e-5);
+    EXPECT_NEAR(least[2], -2, 1e-5);
+    EXPECT_EQ(comparisons::adhesive_equilibria(sphere({.work = work, .range = 0})).size(), 1u);
 }
 
 }  // namespace tricontact::adhesion_forms_test
