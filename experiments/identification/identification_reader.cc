@@ -85,8 +85,10 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
     check_round(document);
     const double radius = quantity_of(document, "indenter.radius");
     for (const Table& table : input.tables) check_lengths(table, radius, document);
-    const bool has_springs =
-        rig.find_section("interface") || std::ranges::any_of(find, is_stiffness);
+    // Those of cells know springs of the interface, and a range.
+    const bool has_springs = rig.find_section("interface") ||
+                             std::ranges::any_of(find, is_stiffness) ||
+                             rig.find("adhesion.range") || rig.find("adhesion.peak_stress");
     std::vector<io::Entry> guesses{io::overriding("models", case_models(input, has_springs),
                                                   document.place_of("measurement.models"))};
     const auto is_free = [&](std::string_view key) { return std::ranges::count(find, key) > 0; };
