@@ -49,7 +49,7 @@ assert 0 < summary["numerical_error"]["half_widths"]["pull_off_force_N"] < 1e-3 
 PYTHON
 
 grep -q "surfaces that do not attract each other, those of the case do" layer/report.html || complain "compared with a layer without adhesion"
-"$program" refine "$case" --output refined --quiet >text 2>&1 || complain "not refined: $(cat text)"
+"$program" refine "$case" --models mdr --output refined --quiet >text 2>&1 || complain "not refined: $(cat text)"
 grep -q "Theory (Hertz)" text && complain "refined against Hertz: $(cat text)"
 
 # 4. A force beyond pull-off ends the run, with what the contact holds.
