@@ -44,9 +44,10 @@ Image image_of(int n, int n_x, const std::vector<double>& y) {
 template <class Reflect>
 void reflect_fields(Surface& s, const Reflect& reflect) {
     for (auto* even :
-         {&s.node_x, &s.normal_traction, &s.tangential_traction_x, &s.friction_bound,
-          &s.displacement_x, &s.displacement_z, &s.gap, &s.slip_x, &s.dissipation, &s.slip_path,
-          &s.friction_work, &s.normal_traction_consistent, &s.tangential_traction_x_consistent})
+         {&s.node_x, &s.normal_traction, &s.tension, &s.separation_work, &s.tangential_traction_x,
+          &s.friction_bound, &s.displacement_x, &s.displacement_z, &s.gap, &s.slip_x,
+          &s.dissipation, &s.slip_path, &s.friction_work, &s.normal_traction_consistent,
+          &s.tangential_traction_x_consistent})
         reflect(*even, false);
     for (auto* odd : {&s.node_y, &s.tangential_traction_y, &s.displacement_y, &s.slip_y,
                       &s.tangential_traction_y_consistent})

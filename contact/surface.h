@@ -27,6 +27,9 @@ struct Surface {
     Vector2 offset{};                       ///< position of the indenter [m]
 
     std::vector<double> normal_traction;  ///< p [Pa], compression positive
+    /// Of surfaces that attract each other on cells or elements, else empty: the tension s >= 0 that
+    /// p contains [Pa], and its work from the touch to the present gap, 0 to w [J/m^2].
+    std::vector<double> tension, separation_work;
     std::vector<double> tangential_traction_x, tangential_traction_y;  ///< on the substrate [Pa]
     std::vector<double> friction_bound;                                ///< see FrictionLaw [Pa]
     std::vector<double> displacement_x, displacement_y;                ///< of the surface [m]

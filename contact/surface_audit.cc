@@ -157,10 +157,11 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
     return r;
 }
 
-/// Tension by the law of the gap (or touch), no more of it than sigma_0, the force.
+/// Tension by the law of the gap (or touch), no more of it than sigma_0, the force, the ground.
 void SurfaceModel::audit_attracted(const LoadStep& step) {
     const NormalSolution& s = *now().normal;
     const auto& area = points().area;
+    const double pull = 2 * s.pull;
     double most = 0, force = 0;
     for (std::size_t i = 0; i < s.pressure.size(); ++i) {
         most = larger(most, -s.pressure[i]);
@@ -171,10 +172,16 @@ void SurfaceModel::audit_attracted(const LoadStep& step) {
                   std::max(0., most / solver_->adhesive()->attraction().strength - 1),
                   rounding_allowed);
     if (step.normal.kind == NormalControl::Kind::force)
+        audit_.record("normal_force",
+                      std::abs(force - step.normal.value) / (std::abs(step.normal.value) + pull),
+                      exact_force);
+    const auto missing =
+        substrate_->compliance().missing_reaction(s.pressure, TangentialField(area.size()));
+    if (missing && pull > 0)
         audit_.record(
-            "normal_force",
-            std::abs(force - step.normal.value) / (std::abs(step.normal.value) + 2 * s.pull),
-            exact_force);
+            "base_reaction",
+            std::hypot((*missing)[0], (*missing)[1], (*missing)[2]) / (pull + std::abs(force)),
+            substrate_->compliance().allowed_missing_reaction());
 }
 
 void SurfaceModel::audit_step(const LoadStep& step, bool advected) {

@@ -134,6 +134,7 @@ Surface SurfaceModel::surface() const {
     for (auto* field : {&s.gap, &s.slip_x, &s.slip_y, &s.dissipation})
         *field = large_field(n, n_threads);
     const std::vector<double>& height = solver_->coupling().bare_height();
+    if (normal.attracts()) s.tension = copy(normal.tension);
     blocks(n).for_points([&](std::size_t i) {
         s.gap[i] = height[i] + solution.displacement.down[i] - normal.indentation;
         const Vector2 told = slip(i);
@@ -141,6 +142,7 @@ Surface SurfaceModel::surface() const {
         s.slip_y[i] = told[1];
         s.dissipation[i] = friction_work(i);
     });
+    if (normal.attracts()) s.separation_work = copy(solver_->adhesive()->separation_work(s.gap));
     if (has_other_rows) {
         for (auto* field : {&s.gap, &s.slip_x, &s.dissipation}) *field = copy(*field);
         s.slip_y = copy(s.slip_y, true);

@@ -295,6 +295,11 @@ contact::Interior Discretisation::interior(std::span<const double> displacement,
     NodalDisplacement nodal(space.nodes.size(), {0, 0, 0});
     for (int u = 0; u < unknowns.n; ++u)
         nodal[unknowns.node_of_unknown[u]][unknowns.direction_of_unknown[u]] = displacement[u];
+    if (!even_load.empty()) {
+        const double mean =
+            std::inner_product(even_load.begin(), even_load.end(), displacement.begin(), 0.);
+        for (auto& u : nodal) u[2] -= mean;
+    }
     contact::Interior interior;
     add_points(space, nodal, interior);
     interior.stress.assign(interior.points.size(), Stress{});
@@ -318,6 +323,9 @@ contact::Interior Discretisation::interior(std::span<const double> displacement,
     for (int u = 0; u < unknowns.n; ++u)
         interior.applied[unknowns.direction_of_unknown[u]] += force[u];
     interior.base_reaction = held_forces(nodal);
+    // The node that is held has its part of that pressure already.
+    const double even = std::accumulate(even_load.begin(), even_load.end(), 0.);
+    (*interior.base_reaction)[2] -= even * interior.applied[2];
     if (surface.points.mirrored) {
         interior.strain_energy *= 2;
         for (auto* total : {&interior.applied, &*interior.base_reaction})

@@ -65,7 +65,7 @@ class Halves {
   public:
     Halves(const Discretisation& body, const MirrorSymmetry& mirror, Elimination elimination)
         : body_(body.unknowns),
-          slides_along_x_(body.slides_along_x),
+          held_if_odd_(body.held_if_odd),
           mirror_(mirror),
           half_(half_of(body.unknowns, mirror)),
           n_interior_(n_interior(half_, elimination)),
@@ -75,8 +75,8 @@ class Halves {
     BodyPart part(const Signs& changes) const {
         const auto is_held = [&](std::int64_t h) {
             const int node = half_.node_of_unknown[h], direction = half_.direction_of_unknown[h];
-            if (direction == 0 && !changes[0] && !slides_along_x_.empty() && slides_along_x_[node])
-                return true;
+            const bool is_odd = !changes[0];
+            if (is_odd && !held_if_odd_.empty() && held_if_odd_[node] >> direction & 1) return true;
             return mirror_.side[node] == 0 && changes[direction];
         };
         std::vector<std::int64_t> order;
@@ -103,7 +103,7 @@ class Halves {
 
   private:
     const Unknowns& body_;
-    const std::vector<bool>& slides_along_x_;
+    const std::vector<Directions>& held_if_odd_;
     const MirrorSymmetry& mirror_;
     Unknowns half_;
     int n_interior_;
@@ -129,7 +129,7 @@ std::vector<BodyPart> parts_of(const Discretisation& body, Elimination eliminati
         parts.push_back(halves.part({true, false, false}));
         parts.push_back(halves.part({false, true, true}));
     } else {
-        if (!body.slides_along_x.empty())
+        if (!body.held_if_odd.empty())
             throw std::logic_error("a body held by symmetry whose mesh no plane x = const mirrors");
         parts.push_back(whole(body, elimination));
     }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <numeric>
+#include <span>
 
 #include "fem/body_parts.h"
 #include "fem/discretisation.h"
@@ -72,13 +74,40 @@ void subtract_motion(const ByDirection& held_rows, const Condensation& condensat
     }
 }
 
+// A pressure on the base, and what it displaces.
+struct EvenPress {
+    std::span<const double> load;  // empty: there is none
+    std::vector<double> moved;
+};
+
 // The compliance of the part's contact unknowns; its factor is gone afterwards.
 std::vector<double> eliminate(BodyPart& part, const std::vector<PartComponent>& components,
-                              ByDirection& missing) {
-    Condensation condensation = std::move(part.condensation);
-    condensation.factorise();
-    subtract_motion(part.held_rows, condensation, components, missing);
+                              ByDirection& missing, EvenPress& even) {
+    part.condensation.factorise();
+    subtract_motion(part.held_rows, part.condensation, components, missing);
+    if (!even.load.empty()) part.add_displacement(even.load, even.moved);
+    const Condensation condensation = std::move(part.condensation);
     return condensation.compliance();
+}
+
+// The forces f on the contact press against the load -b (e'f), b of the resultant one and e the
+// displacement by one along z, so that the node that is held carries no more than its part of b.
+// Displacements count from the mean b'u. With w = K^-1 b, then C - w e' - e w' + (b'w) e e'.
+void press_evenly(const EvenPress& even, const Unknowns& unknowns,
+                  std::vector<double>& compliance) {
+    const std::size_t n = unknowns.of_contact.size();
+    const double mean =
+        std::inner_product(even.load.begin(), even.load.end(), even.moved.begin(), 0.);
+    std::vector<double> moved(n, 0), rigid(n, 0);
+    for (std::size_t c = 0; c < n; ++c) {
+        if (unknowns.of_contact[c] < 0) continue;
+        moved[c] = even.moved[unknowns.n_interior + unknowns.of_contact[c]];
+        rigid[c] = c / (n / 3) == 2 ? 1 : 0;
+    }
+    for (std::size_t c = 0; c < n; ++c)
+        for (std::size_t r = 0; r < n; ++r)
+            compliance[c * n + r] +=
+                mean * rigid[r] * rigid[c] - moved[r] * rigid[c] - rigid[r] * moved[c];
 }
 
 // To the compliance between all `n` components, that of a part's `n_contact` unknowns.
@@ -124,25 +153,29 @@ double predicted_bytes(const std::vector<BodyPart>& parts, std::size_t n_compone
 }
 
 // One after another, so that but one factor exists at a time.
-void condense_parts(std::vector<BodyPart> parts, const Unknowns& unknowns, CondensedLayer& layer) {
+void condense_parts(std::vector<BodyPart> parts, const Discretisation& body,
+                    CondensedLayer& layer) {
+    const Unknowns& unknowns = body.unknowns;
     const std::size_t n = unknowns.of_contact.size();
+    EvenPress even{body.even_load, std::vector<double>(body.even_load.size(), 0.)};
     layer.missing_reaction = unit_forces(unknowns.of_contact);
     for (BodyPart& part : parts) {
         const auto components = components_of(part, unknowns);
         const std::size_t n_contact = part.condensation.contact().size();
-        const auto compliance = eliminate(part, components, layer.missing_reaction);
+        const auto compliance = eliminate(part, components, layer.missing_reaction, even);
         add_compliance(compliance, n_contact, part.share, components, n, layer.compliance);
     }
+    if (!even.load.empty()) press_evenly(even, unknowns, layer.compliance);
 }
 
 CondensedLayer condense_discretised(const Discretisation& discretisation) {
     std::vector<BodyPart> parts = parts_of(discretisation, Elimination::contact_last);
-    const Unknowns& unknowns = discretisation.unknowns;
-    refuse_too_large(predicted_bytes(parts, unknowns.of_contact.size()) + blas_buffer_bytes());
+    refuse_too_large(predicted_bytes(parts, discretisation.unknowns.of_contact.size()) +
+                     blas_buffer_bytes());
     CondensedLayer layer;
     layer.points = discretisation.surface.points;
     layer.contact_mass = discretisation.surface.mass;
-    condense_parts(std::move(parts), unknowns, layer);
+    condense_parts(std::move(parts), discretisation, layer);
     return layer;
 }
 

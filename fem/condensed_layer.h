@@ -32,6 +32,14 @@ struct LayerProblem {
     /// = 0 do not slide; for all others the base is held along x, so that they have an answer,
     /// which misses the reaction to a resultant along x.
     bool held_by_symmetry = false;
+    /// Nothing but the contact holds the body: a pressure all over its base is the load, and
+    /// displacements count from the mean of the base along z, the one that does the load's work.
+    /// The body is mirrored in x = 0, half of it is meshed (y >= 0), and so are its displacements:
+    /// for others the base is held.
+    bool pressed_evenly = false;
+
+    /// Displacements mirrored in x = 0 alone have an answer of their own.
+    bool needs_symmetry() const { return held_by_symmetry || pressed_evenly; }
 };
 
 /// All that contact has to know about a discretised layer.

@@ -59,7 +59,8 @@ struct Discretisation {
     std::array<double, 3> held_forces(const NodalDisplacement& displacement) const;
     /// Points and hexahedra of the inside, at rest, without stresses.
     contact::Interior undeformed() const;
-    /// Fields inside for the displacements [m] of all free unknowns under the forces [N] on them.
+    /// Fields inside for the displacements [m] of all free unknowns under the forces [N] on them;
+    /// of a body pressed evenly those without the pressure on its base.
     /// Points on the interface of two regions appear once for each. Stresses come from the
     /// 2 x 2 x 2 Gauss points, where those of Q2 elements are most accurate (Barlow 1976), linearly
     /// extrapolated to the nodes and averaged over the elements of a region.
@@ -70,8 +71,13 @@ struct Discretisation {
     std::array<Moduli, meshes::n_regions> moduli{};
     ContactSurface surface;
     Unknowns unknowns;
-    /// Nodes of the base of a body that is held by symmetry, see LayerProblem; else empty.
-    std::vector<bool> slides_along_x;
+    /// Per node, what holds the base of a body for displacements that are not mirrored in x, see
+    /// LayerProblem::needs_symmetry(); else empty.
+    std::vector<Directions> held_if_odd;
+    /// Forces along z of a pressure all over the base, one in all, on the free unknowns; empty but
+    /// for LayerProblem::pressed_evenly. A node in the middle of the base is held along z there: it
+    /// carries its own part of such a pressure, and no more.
+    std::vector<double> even_load;
 };
 
 }  // namespace tricontact::fem

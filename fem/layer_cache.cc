@@ -250,6 +250,7 @@ std::string LayerCache::key(const LayerProblem& problem) {
     digest << static_cast<int>(problem.base) << static_cast<int>(problem.sides)
            << problem.largest_bulk_ratio;
     if (problem.held_by_symmetry) digest << 1;
+    if (problem.pressed_evenly) digest << 2;
     return digest.text();
 }
 

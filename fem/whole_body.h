@@ -20,9 +20,10 @@ class WholeBody {
     /// Displacements [m] under the forces [N] on all unknowns. Most bodies are asked once: factors
     /// are kept from the second time on. Until then it takes as long as a condensation by one
     /// thread; throws contact::NotConverged, std::bad_alloc.
-    std::vector<double> displacement(std::span<const double> forces) {
+    std::vector<double> displacement(std::span<const double> applied) {
         const FreedMemoryStays stays;
         const OneBlasThread one_thread;
+        const std::vector<double> forces = balanced(applied);
         std::vector<double> sum(forces.size(), 0.);
         for (BodyPart& part : parts_) {
             if (!part.condensation.is_factorised()) part.condensation.factorise();
@@ -36,6 +37,18 @@ class WholeBody {
     const Discretisation discretisation;
 
   private:
+    /// With the pressure on the base of a body that is pressed evenly.
+    std::vector<double> balanced(std::span<const double> applied) const {
+        std::vector<double> forces(applied.begin(), applied.end());
+        if (discretisation.even_load.empty()) return forces;
+        double along_z = 0;
+        for (std::size_t u = 0; u < forces.size(); ++u)
+            if (discretisation.unknowns.direction_of_unknown[u] == 2) along_z += forces[u];
+        for (std::size_t u = 0; u < forces.size(); ++u)
+            forces[u] -= along_z * discretisation.even_load[u];
+        return forces;
+    }
+
     std::vector<BodyPart> parts_;
     bool was_asked_ = false;
 };

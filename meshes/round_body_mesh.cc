@@ -30,9 +30,6 @@ namespace tricontact::meshes {
 
 namespace {
 
-// Between top and side, from the pole: so far at least, and from the patch's corner.
-constexpr double least_rim = std::numbers::pi / 3, rim_beyond_patch = std::numbers::pi / 9;
-constexpr double steepest = 1.5;  // first over mean edge from the patch's corner to the rim: < 2
 constexpr double core_half_side = .5, core_height = .32;  // over R
 constexpr double evenness = .35;  // of the core's lateral lines: 0 as on the sphere, 1 even
 constexpr int n_rows = 3;         // of the core
@@ -90,7 +87,7 @@ class HalfRound {
         const double angle = std::asin(patch / s_.radius);
         const double corner =
             is_cylinder_ ? angle : std::asin(std::hypot(s_.patch_x, s_.patch_y) / s_.radius);
-        rim_angle_ = std::max(least_rim, corner + rim_beyond_patch);
+        rim_angle_ = rim_of_ball(corner);
         side_angle_ = angle;
         const double length = s_.radius * (rim_angle_ - angle);
         const Grading around = grade(length, s_.size / std::cos(angle), s_.growth);
@@ -128,13 +125,10 @@ class HalfRound {
         if (strip == 0) return {x, y, -r * r / (R + std::sqrt(R * R - r * r))};
         const double edge = r * std::min(x == 0 ? contact::infinity : s_.patch_x / std::abs(x),
                                          y == 0 ? contact::infinity : s_.patch_y / std::abs(y));
-        // As far from line to line at the patch's corners as its sides ask for, and less farther
-        // out.
-        const double t = rim_fraction_[strip], from = std::asin(edge / R);
-        const double way = rim_angle_ - from, way_at_side = rim_angle_ - side_angle_;
-        const double first =
-            std::min(way_at_side * r / std::max(std::abs(x), std::abs(y)), steepest * way);
-        return beside_axis(x, y, from + t * (first + t * (way - first)));
+        const double way =
+            way_beyond_patch(rim_fraction_[strip], std::asin(edge / R), rim_angle_,
+                             rim_angle_ - side_angle_, r / std::max(std::abs(x), std::abs(y)));
+        return beside_axis(x, y, way);
     }
 
     // On the sphere, `angle` from the pole in the direction (x, y).

@@ -138,6 +138,18 @@ void check_turn(double farthest, double radius) {
              "reduce the rolling amplitude or enlarge the radius");
 }
 
+double rim_of_ball(double corner) {
+    constexpr double least = std::numbers::pi / 3, beyond_patch = std::numbers::pi / 9;
+    return std::max(least, corner + beyond_patch);
+}
+
+double way_beyond_patch(double share, double from, double rim, double way_at_side,
+                        double obliqueness) {
+    constexpr double steepest = 1.5;  // first over mean edge from the patch's corner: < 2
+    const double way = rim - from, first = std::min(way_at_side * obliqueness, steepest * way);
+    return from + share * (first + share * (way - first));
+}
+
 void check_count(double n_elements, double size) {
     if (!(n_elements <= most))
         fail(round_body, fmt::format("size {:g} m makes {:.3g} elements", size, n_elements),

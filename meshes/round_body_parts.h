@@ -24,6 +24,17 @@ void check_width(double farthest, double radius);
 /// The same of one that rolls: more than 155 degrees, `farthest` along the surface.
 void check_turn(double farthest, double radius);
 
+/// Angle from the pole to the circle on which the blocks about a ball's patch end, beyond the
+/// patch's corner.
+double rim_of_ball(double corner);
+
+/// Way from the middle at this share of what lies between the edge of a patch, `from`, and its rim:
+/// as far from line to line at the patch's corners as its sides ask for, `way_at_side` being theirs
+/// and `obliqueness` the way to the square around the patch over that to its side, and less farther
+/// out.
+double way_beyond_patch(double share, double from, double rim, double way_at_side,
+                        double obliqueness);
+
 /// Throws contact::InputError for more than 10 million elements.
 void check_count(double n_elements, double size);
 

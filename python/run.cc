@@ -9,6 +9,7 @@
 #include "app/models/make_model.h"
 #include "app/models/roll_models.h"
 #include "comparisons/quantities/results.h"
+#include "contact/wearing_contact.h"
 #include "files/version.h"
 #include "io/case/case_reader.h"
 #include "io/case/rolling_on.h"
@@ -58,6 +59,10 @@ Result run(const Case& given, const std::optional<std::vector<std::string>>& mod
         throw contact::InputError(
             "case: [tractive_rolling]: the indenter rolls on and does not come back; "
             "tricontact.roll computes such a case");
+    if (c.kept.find<contact::Wear>())
+        throw contact::InputError(
+            "case: [wear]: a cycle is repeated and wears the surfaces; tricontact.wear computes "
+            "such a case");
     runs::RunOptions options;
     options.makers = &app::model_makers();
     options.threads = thread_count(threads);

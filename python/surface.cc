@@ -24,8 +24,10 @@ struct Field {
     std::vector<double> Surface::*values;
 };
 
-constexpr std::array<Field, 17> fields{{
+constexpr std::array<Field, 19> fields{{
     {"normal_traction_Pa", &Surface::normal_traction},
+    {"tension_Pa", &Surface::tension},
+    {"separation_work_J_per_m2", &Surface::separation_work},
     {"tangential_traction_x_Pa", &Surface::tangential_traction_x},
     {"tangential_traction_y_Pa", &Surface::tangential_traction_y},
     {"friction_bound_Pa", &Surface::friction_bound},

@@ -446,6 +446,8 @@ function show_in(colours) {
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => show_in(charts.screen()));
 addEventListener("beforeprint", () => { pause(); show_in(charts.paper); });
 addEventListener("afterprint", () => show_in(charts.screen()));
+// Contacts that nothing pulls along have no tangential traction to show.
+if (films.every(film => !film.values[place_of.traction])) part("field").value = "pressure";
 part("controls").hidden = false;
 show(instants.length - 1);
 })();

@@ -102,12 +102,14 @@ ChangingFriction friction_by_temperature(const contact::ContactPoints& grid,
 
 namespace {
 
-// Of the last change of mu, how exactly the state under it is solved for the next one, and while
-// changes are a good part of all that mu may lose; and from which of them on Newton's method is
-// tried, with how many steps.
-constexpr double of_change = .3;
-constexpr double of_first_changes = .9, far_off = .3;
-constexpr double close_by = .06;
+// Of the last change of mu, how exactly the state under it is solved for the next one: while
+// changes are a good part of all that mu may lose, then, and where iterates are combined. A change
+// is believed down to this part of what the state's own exactness leaves open. From which changes
+// on Newton's method is tried, with how many steps.
+constexpr double of_first_changes = .9, of_change = .3, of_combined_changes = .1;
+constexpr double far_off = .3, believed = .5;
+constexpr double close_by = .15;
+constexpr int most_tries = 4;
 constexpr int newton_steps = 8;
 // Those next to a point that lets go let go as well.
 constexpr double with_its_neighbours = 1.15;
@@ -144,21 +146,24 @@ class Search {
         bool is_far = alone_ > 0;
         for (int k = 0; k < contact::OneSidedFixedPoint::max_iterations; ++k) {
             is_far = is_far && before > far_off * range_;
-            const double share = is_far ? of_first_changes : of_change;
+            const double share = is_far                ? of_first_changes
+                                 : k < iteration.first ? of_change
+                                                       : of_combined_changes;
             const double asked = std::max(tolerance_, share / steepness_ * before);
             solve(asked, k == 0);
             const std::vector<double> next = friction_next();
             const double change = largest_change(next);
             if (change <= tolerance_ && asked == tolerance_) return change;
-            const bool contracts = change < before && change < close_by * range_;
-            if (friction_.slopes && contracts && k >= next_try && n_tries < 3) {
+            // A smaller one says how coarsely the state is solved, not how near it is.
+            const double told = std::max(change, believed * steepness_ * asked);
+            const bool contracts = told < before && told < close_by * range_;
+            if (friction_.slopes && contracts && k >= next_try && n_tries < most_tries) {
                 for (const SteadySolution* from : {other_, &std::as_const(solution_)})
-                    if (const auto left_over = try_newton(from, next, change, change / before))
+                    if (const auto left_over = try_newton(from, next, told, told / before))
                         return *left_over;
-                ++n_tries;
-                next_try = k + steps_before_another_try;
+                next_try = k + (steps_before_another_try << n_tries++);
             }
-            before = change;
+            before = told;
             left_ = iteration.next(left_, next, change);
             for (double& one : left_) one = std::clamp(one, lowest, highest);
         }

@@ -27,7 +27,8 @@ using contact::operator+, contact::operator-, contact::operator*, contact::opera
 using contact::TangentialField;
 using contact::Vector2;
 
-constexpr double much_grown = 4;  // a residual
+constexpr double much_grown = 4, halved = .5;  // a residual
+constexpr double coarse = 1e-4;                // a tolerance: of a state to go on from
 
 std::vector<std::size_t> points_in_contact(const std::vector<double>& bound) {
     std::vector<std::size_t> active;
@@ -77,7 +78,7 @@ void SteadyNewton::run(int most_steps) {
         if (is_solved()) return;
         // Beyond the reach of the slopes: on a state's own side the residual may grow once.
         if (step == 0) first = solution_.residual;
-        if (following_ && !(solution_.residual <= much_grown * first)) break;
+        if (following_ && !(solution_.residual <= (step < 2 ? much_grown : halved) * first)) break;
         move(solve_linear_system(step < careful_steps ? .5 : 10));
     }
     throw contact::NotConverged(fmt::format(
@@ -200,12 +201,14 @@ SteadySystem::Result SteadyNewton::solve_linear_system(double farthest) {
         curvature[k] = std::max(0.0, contact::dot(s, t) / bound) / bound;
     }
     // Zones still move while the residual is large: solve no more exactly than that deserves, nor
-    // than the tolerances ask for.
+    // than the tolerances ask for; where these are coarse a step shall just reach them.
+    const bool is_coarse = tolerances_.residual > coarse;
     const double asked = std::min(tolerances_.residual / solution_.residual,
                                   tolerances_.force / solution_.force_residual);
-    const double forcing = std::clamp(
-        std::max(.1 * std::max(solution_.residual, solution_.force_residual), .1 * asked), 1e-10,
-        .1);
+    const double forcing =
+        std::clamp(std::max(.1 * std::max(solution_.residual, solution_.force_residual),
+                            (is_coarse ? .6 : .3) * asked),
+                   1e-10, is_coarse ? .6 : .1);
     if (following_) follow();
     SteadySystem::Result result;
     for (const double relief : {0., 1.}) {

@@ -77,7 +77,8 @@ std::optional<Stiffness> sticking_stiffness(const contact::Case& c, contact::Mod
     using contact::ElasticBody;
     const bool is_held =
         contact::model_kind(model.name()).cut != contact::ModelKind::Cut::of_revolution &&
-        !(c.indenter.body && c.indenter.body->support == ElasticBody::Support::plates);
+        !(c.indenter.body && (c.indenter.body->support == ElasticBody::Support::plates ||
+                              c.indenter.body->is_loose()));
     if (!is_held) return {};
     const auto sibling = model.sibling(c.contact);
     contact::Model& fresh = sibling ? *sibling : model;

@@ -15,9 +15,9 @@ namespace {
 /// Which commands read a part of a case file.
 const std::map<std::string, std::string>& readers() {
     static const std::map<std::string, std::string> readers{
-        {"[rig]", "rig, design, identify"},
+        {"[rig]", "rig, design, identify, experiment with loops"},
         {"[record]", "experiment, design"},
-        {"[measurement]", "identify, experiment with laws"},
+        {"[measurement]", "identify, experiment with loops or laws"},
         {"[design]", "design"},
         {"[printed]", "rig"},
         {io::uncertainty_mark, "predict --samples, rig, design, experiment, identify"}};

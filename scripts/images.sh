@@ -93,3 +93,11 @@ figure thesis figure_3_43 fit.html
 computed shear_strength sweep examples/studies/shear_strength_shakedown.toml
 computed shear_strength fit examples/studies/shear_strength_shakedown.toml
 figure shear_strength kappa_4 fit.html
+# Surfaces that attract each other, for docs/explanation/adhesion.md: lambda = .5; ranges; layers.
+computed adhesion run examples/cases/adhesive_sphere.toml --models bem --set contact.coupling=false --set 'bem.spacing="6 um"' \
+    --set 'adhesion.peak_stress="16 kPa"'
+figure adhesion force_curve
+computed adhesion_range sweep examples/studies/adhesive_range.toml
+figure adhesion_range pull_off_force_N_1
+computed adhesion_layer sweep examples/studies/adhesive_layer.toml
+figure adhesion_layer pull_off_force_N_1

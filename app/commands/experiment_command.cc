@@ -3,7 +3,11 @@
 
 #include "app/commands/command.h"
 #include "comparisons/quantities/left_out.h"
+#include "experiments/identification/identification_checks.h"
 #include "experiments/identification/identification_report.h"
+#include "experiments/identification/identification_study.h"
+#include "experiments/identification/report/loop_report.h"
+#include "experiments/predictions/loop_predictions.h"
 #include "experiments/predictions/record_laws.h"
 #include "experiments/predictions/record_predictions.h"
 #include "experiments/records/experiment.h"
@@ -42,8 +46,57 @@ void add_laws(report::Document& document, const experiments::RecordLaws& laws) {
                                        experiments::law_numbers(laws.tables.laws[laws.best]));
 }
 
-void evaluate_records(CommandOptions options) {
+/// Loops have their values from `identify`'s own study, and models beside them.
+void evaluate_loops(CommandOptions& options) {
+    options.reads->emplace_back("[measurement]");
+    options.reads->emplace_back("[rig]");
+    const experiments::IdentificationInput input =
+        experiments::read_identification(options.file, options.overrides);
+    experiments::IdentificationStudy study;
+    experiments::LoopPredictions predictions;
+    nlohmann::ordered_json data;
+    std::vector<report::Verdict> verdicts;
+    options.fill({{"experiment.json", "report.html", "loops.csv"}}, [&] {
+        study = experiments::identification_study(input, false, options.runner(), options.sayer());
+        study.command = "tricontact experiment " + options.file;
+        for (auto& [name, line] : study.settings)
+            if (line.starts_with("identify ")) line.replace(0, 8, "experiment");
+        study.version = files::version;
+        predictions = experiments::predict_loops(
+            study, options.file, {options.runner(), options.overrides, options.sayer()});
+        verdicts = experiments::loop_prediction_verdicts(study, predictions);
+        data = experiments::identification_json(study);
+        data["predicted_loops"] = experiments::loop_prediction_json(predictions);
+        for (const auto& verdict : verdicts) data["verdicts"].push_back(verdict.sentence);
+        report::Document document = experiments::identification_document(study);
+        document.kind = "Experiment";
+        document.lead =
+            "What the recorded loops say, and what models make of the same drive with the values "
+            "that these loops tell.";
+        document.files.front().second = "experiment.json";
+        document.verdicts.insert(document.verdicts.begin(), verdicts.begin(), verdicts.end());
+        document.sections.insert(document.sections.begin(),
+                                 experiments::loop_prediction_section(study, predictions));
+        options.write("loops.csv", experiments::loops_csv(study));
+        options.write("experiment.json", data.dump(2) + '\n');
+        options.write_report(document, study.command);
+    });
+    Answer answer([&] { return data.dump(2); });
+    for (const auto& verdict : experiments::identification_verdicts(study))
+        answer.add(verdict.sentence + '\n');
+    for (const auto& verdict : verdicts) answer.add(verdict.sentence + '\n');
+    for (const auto& [name, line] : study.settings)
+        if (name == "left out") answer.note(line + '\n');
+    options.answer(answer);
+    options.say(options.where());
+}
+
+void evaluate_records(CommandOptions& options) {
     options.choose_folder();
+    if (experiments::has_friction_loops(options.file, options.overrides)) {
+        evaluate_loops(options);
+        return;
+    }
     const experiments::ExperimentInput input =
         experiments::read_experiment(options.file, options.overrides);
     if (input.has_laws) options.reads->emplace_back("[measurement]");

@@ -1,6 +1,7 @@
 #include "comparisons/adhesion/adhesion_forms.h"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "contact/base/special_values.h"
@@ -46,23 +47,19 @@ AdhesiveForms short_ranged_forms(const Case& c) {
             .theory = "Johnson, Kendall and Roberts"};
 }
 
-/// Maugis' units: A, P and D times these are a, F and d.
-struct MaugisUnits {
-    double radius, force, indentation;
-    explicit MaugisUnits(const Case& c) {
-        const double r = c.indenter.radius, w = c.adhesion->work,
-                     k = 4. / 3 * c.materials().effective_modulus();
-        radius = std::cbrt(pi * w * r * r / k);
-        force = pi * w * r;
-        indentation = std::cbrt(std::pow(pi * w / k, 2) * r);
-    }
-};
+theory::MaugisUnits maugis_units(const Case& c) {
+    return theory::maugis_units(c.indenter.radius, c.adhesion->work,
+                                c.materials().effective_modulus());
+}
+
+double maugis_lambda(const Case& c) {
+    return theory::maugis_parameter(c.indenter.radius, c.adhesion->work,
+                                    c.materials().effective_modulus(), c.adhesion->strength());
+}
 
 AdhesiveForms maugis_forms(const Case& c) {
-    const MaugisUnits unit(c);
-    const double lambda =
-        theory::maugis_parameter(c.indenter.radius, c.adhesion->work,
-                                 c.materials().effective_modulus(), c.adhesion->strength());
+    const auto unit = maugis_units(c);
+    const double lambda = maugis_lambda(c);
     const theory::MaugisContact off = theory::maugis_pull_off(lambda);
     const NormalControl press = contact::press_step(c).normal;
     const theory::MaugisContact pressed =
@@ -101,6 +98,42 @@ std::optional<AdhesiveForms> adhesive_forms(const Case& c) {
         forms.unit_shift = 2 * strength * a / c.materials().effective_shear_modulus();
     }
     return forms;
+}
+
+std::vector<AdhesiveEquilibria> adhesive_equilibria(const Case& c) {
+    const auto forms = adhesive_forms(c);
+    if (!forms) return {};
+    const std::shared_ptr body = c.make_axisymmetric_indenter();
+    const auto short_ranged = [&](const std::string& branch, double work) {
+        const auto curve = std::make_shared<const theory::AdhesiveCurve>(
+            theory::half_space_curve(*body, c.materials().effective_modulus(), work));
+        return AdhesiveEquilibria{"Johnson, Kendall and Roberts" + branch, [body, curve](double a) {
+                                      const auto s = curve->at(a);
+                                      return contact::Vector2{s.indentation, s.force};
+                                  }};
+    };
+    const double work = c.adhesion->work;
+    if (!c.adhesion->is_reversible()) {
+        std::vector<AdhesiveEquilibria> all{short_ranged(", separation", work)};
+        if (*c.adhesion->approach_work > 0)
+            all.push_back(short_ranged(", approach", *c.adhesion->approach_work));
+        return all;
+    }
+    const AdhesiveEquilibria no_range = short_ranged("", work);
+    if (c.adhesion->is_short_ranged()) return {no_range};
+    const auto unit = maugis_units(c);
+    const AdhesiveEquilibria maugis{
+        forms->theory, [unit, lambda = maugis_lambda(c)](double a) {
+            const auto s = theory::maugis_contact(lambda, a / unit.radius);
+            return contact::Vector2{s.indentation * unit.indentation, s.force * unit.force};
+        }};
+    // Hertz' contact under 2 pi w R more.
+    const AdhesiveEquilibria stiff{
+        "Derjaguin, Muller and Toporov", [unit, r = c.indenter.radius](double a) {
+            const double reduced = a / unit.radius;
+            return contact::Vector2{a * a / r, unit.force * (std::pow(reduced, 3) - 2)};
+        }};
+    return {maugis, no_range, stiff};
 }
 
 std::optional<double> tabor_parameter(const Case& c) {

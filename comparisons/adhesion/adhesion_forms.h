@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,16 @@ struct AdhesiveForms {
 };
 /// Empty where nothing is.
 std::optional<AdhesiveForms> adhesive_forms(const contact::Case& c);
+
+/// Equilibria of the case on a half-space by a theory, stable or not, over their contact radius.
+struct AdhesiveEquilibria {
+    std::string theory;
+    /// Indentation [m] and force [N] of a radius above 0 [m].
+    std::function<contact::Vector2(double radius)> at;
+};
+/// By the theory of adhesive_forms() first; of a range above 0 also by those of no range and of a
+/// long one, between which it lies. None where there is no theory.
+std::vector<AdhesiveEquilibria> adhesive_equilibria(const contact::Case& c);
 
 /// Tabor's parameter (R w^2/(E*^2 range^3))^(1/3) of a round body [-]; infinite of the range 0;
 /// empty without adhesion and of other bodies.

@@ -7,7 +7,6 @@
 #include "comparisons/adhesion/adhesion_forms.h"
 #include "report/format.h"
 #include "report/plot_style.h"
-#include "theory/adhesive/adhesive_curve.h"
 
 namespace tricontact::comparisons {
 
@@ -49,27 +48,22 @@ Units units_of(const std::vector<History>& histories) {
 void add_theory(const Case& c, const std::vector<History>& histories, const Units& units,
                 report::Figure& curve, report::Figure& radii) {
     const auto forms = adhesive_forms(c);
-    if (!forms || !c.adhesion->is_short_ranged()) return;
+    if (!forms) return;
     double widest = forms->contact_radius;
     for (const History& history : histories)
         for (const StepRecord& step : history.steps) widest = std::max(widest, radius_of(step));
-    const auto body = c.make_axisymmetric_indenter();
-    const auto add = [&](const std::string& name, double work) {
-        const auto exact = theory::half_space_curve(*body, c.materials().effective_modulus(), work);
-        report::Curve by_depth{.name = name, .theory = true}, by_force = by_depth;
+    for (const AdhesiveEquilibria& exact : adhesive_equilibria(c)) {
+        report::Curve by_depth{.name = exact.theory, .theory = true}, by_force = by_depth;
         constexpr int n = 200;
         for (int k = 1; k <= n; ++k) {
-            const auto s = exact.at(widest * k / n);
-            by_depth.add(s.indentation / units.depth.factor, s.force / units.force.factor);
-            by_force.add(s.force / units.force.factor, s.radius / units.radius.factor);
+            const double radius = widest * k / n;
+            const auto [depth, force] = exact.at(radius);
+            by_depth.add(depth / units.depth.factor, force / units.force.factor);
+            by_force.add(force / units.force.factor, radius / units.radius.factor);
         }
         curve.curves.push_back(std::move(by_depth));
         radii.curves.push_back(std::move(by_force));
-    };
-    if (c.adhesion->is_reversible()) return add(forms->theory, c.adhesion->work);
-    add(forms->theory + ", separation", c.adhesion->work);
-    if (*c.adhesion->approach_work > 0)
-        add(forms->theory + ", approach", *c.adhesion->approach_work);
+    }
 }
 
 }  // namespace
@@ -86,7 +80,7 @@ std::vector<report::Figure> force_curve_figures(const Case& c,
         .caption =
             "All steps of the path; below zero the bodies are pulled. Where contact jumps "
             "in or lets go the line is straight. Dashed: equilibria of the half-space, "
-            "those between the jumps unstable.",
+            "those between the jumps unstable; of a range also those of none and of a long one.",
         .x = depth,
         .y = force};
     report::Figure radii{.id = "radius_curve",

@@ -10,8 +10,8 @@
 namespace tricontact::comparisons {
 
 /// Force over depth, and contact radius over force, of surfaces that attract each other along a
-/// path; with the whole curve of Johnson, Kendall and Roberts, its unstable part included, where it
-/// holds. None of other cases.
+/// path; with the whole curves of adhesive_equilibria(), their unstable parts included. None of
+/// other cases.
 std::vector<report::Figure> force_curve_figures(const contact::Case& c,
                                                 const std::vector<contact::History>& histories);
 

@@ -156,6 +156,8 @@ std::string name_of(const SizedBody& body, double radius) {
             return form + " on a holder";
         case ElasticBody::Support::plates:
             return form + " between plates";
+        case ElasticBody::Support::pressure:
+            return form + " under a pressure";
         default:  // of holes and loose bodies there are no sizes
             break;
     }

@@ -64,7 +64,8 @@ constinit const Quantity pull_off_force{
     .source = "Johnson, Kendall and Roberts (1971)",
     .of = [](const Subject& s) { return of_pull_off(s, &contact::PullOff::force); },
     .part = Part::pressed,
-    .is_refined = true};
+    .is_refined = true,
+    .is_plotted = true};
 
 constinit const Quantity pull_off_radius{
     .key = "pull_off_radius_m",

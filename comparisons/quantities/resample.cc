@@ -148,10 +148,10 @@ std::vector<double> Resampling::sampled(const std::vector<double>& values, doubl
 Surface Resampling::operator()(const Surface& s) const {
     Surface grid = frame_;
     grid.offset = s.offset;
-    for (auto field :
-         {&Surface::normal_traction, &Surface::tangential_traction_x,
-          &Surface::tangential_traction_y, &Surface::friction_bound, &Surface::slip_x,
-          &Surface::slip_y, &Surface::dissipation, &Surface::slip_path, &Surface::friction_work})
+    for (auto field : {&Surface::normal_traction, &Surface::tension, &Surface::separation_work,
+                       &Surface::tangential_traction_x, &Surface::tangential_traction_y,
+                       &Surface::friction_bound, &Surface::slip_x, &Surface::slip_y,
+                       &Surface::dissipation, &Surface::slip_path, &Surface::friction_work})
         grid.*field = sampled(s.*field, 0);
     for (auto field : {&Surface::displacement_x, &Surface::displacement_y, &Surface::displacement_z,
                        &Surface::gap})

@@ -215,6 +215,7 @@ std::optional<report::Player> player_of(const contact::Case& c, const std::vecto
         player.caption +=
             " Sections: von Mises' stress below the surface in the plane of the indenter's lowest "
             "point, at the instants at which the inside was computed.";
+    if (c.adhesion) player.caption += " Tension is drawn as no pressure; surface.ex2 has it.";
     add_body(c, player);
     return player;
 }

@@ -18,16 +18,15 @@ constexpr double no_tension = 1e-7;
 
 constexpr double least_points = 2;  // of the zone in which tension acts
 
-/// Distance of points [m]; of the elements that bear them where these are nodes of such.
-double size_of(const ContactPoints& points) {
+}  // namespace
+
+double point_distance(const ContactPoints& points) {
     const double area = std::accumulate(points.area.begin(), points.area.end(), 0.);
     const double n = static_cast<double>(points.size());
     if (points.line_length > 0 && points.n_y == 1) return points.spacing[0];
     const double side = std::sqrt(area / (points.mirrored ? 2 * n : n));
-    return points.quads.empty() ? side : 2 * side;
+    return points.quads.empty() ? side : 4 * side / 3;
 }
-
-}  // namespace
 
 // The mean of a step at `distance` over gaps that are spread evenly over `width`: a ramp. It ends
 // within the touch at the earliest, so that its integral from there is w.
@@ -69,7 +68,7 @@ double Attraction::energy(double gap, double width) const {
 // over three points loading and unloading pass through the same states.
 Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, double modulus,
                          double wide) {
-    const double squared = 2 * modulus * law.work, size = size_of(points);
+    const double squared = 2 * modulus * law.work, size = point_distance(points);
     if (law.distance == 0) {
         const double strength = std::sqrt(.63 * squared / (wide * size));
         return {.strength = strength,

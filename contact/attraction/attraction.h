@@ -29,6 +29,10 @@ struct Attraction {
     double energy(double gap, double width) const;
 };
 
+/// Side of a point's surface [m]; of nodes of elements that of the largest, two thirds of an
+/// element's.
+double point_distance(const ContactPoints& points);
+
 /// In points, of the zone beside the contact in which a tension acts that stands for range 0.
 inline constexpr double points_without_range = 3;
 

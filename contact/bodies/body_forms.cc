@@ -24,7 +24,7 @@ const std::vector<BodyForm>& forms() {
         {.word = "hemisphere",
          .title = "hemisphere",
          .shapes = {Shape::paraboloid, Shape::sphere},
-         .supports = {Support::holder}},
+         .supports = {Support::holder, Support::pressure}},
         {.word = "ball",
          .title = "ball",
          .shapes = {Shape::paraboloid, Shape::sphere},

@@ -102,6 +102,7 @@ constexpr std::array kinds{
               .sees_indenter_body = true,
               .sees_rigid_substrate = true,
               .sees_elastic_interface = true,
+              .sees_adhesion = true,
               .maps = models::bem_layer},
     ModelKind{.name = models::fem_plane,
               .title = "FEM plane strain",

@@ -239,6 +239,14 @@ NormalSolution AdhesiveNormal::finish(Iterate now) const {
     return s;
 }
 
+std::vector<double> AdhesiveNormal::separation_work(const std::vector<double>& gap) const {
+    std::vector<double> work(gap.size());
+    widths_.of(gap, work);
+    for (std::size_t i = 0; i < gap.size(); ++i)
+        work[i] = attraction_.work() + attraction_.energy(gap[i], work[i]);
+    return work;
+}
+
 double AdhesiveNormal::attracted_area(const NormalSolution& s) const {
     const auto& area = compliance_.points().area;
     double sum = 0;

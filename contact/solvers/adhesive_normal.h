@@ -30,6 +30,8 @@ class AdhesiveNormal {
     /// apart or together. Of loads that press it is not asked.
     bool has_other_state(const std::vector<double>& height, const NormalControl& control,
                          const NormalSolution& now) const;
+    /// Of the tension from the touch to these gaps, per point [J/m^2].
+    std::vector<double> separation_work(const std::vector<double>& gap) const;
     /// As follow() at once.
     NormalSolution settle(const std::vector<double>& height, const NormalControl& control,
                           const NormalSolution& before) const;

@@ -38,6 +38,7 @@ class FixedPoint {
 class OneSidedFixedPoint {
   public:
     static constexpr int max_iterations = 500;
+    static constexpr int first = 30;  ///< iterates that are taken as they are
 
     std::vector<double> next(const std::vector<double>& x, const std::vector<double>& g,
                              double residual) {
@@ -45,7 +46,6 @@ class OneSidedFixedPoint {
     }
 
   private:
-    static constexpr int first = 30;  // iterates that are taken as they are
     int n_ = 0;
     FixedPoint accelerated_;
 };

@@ -1,4 +1,5 @@
-// Friction that remembers how far points have slipped: bounds that follow the slip of the step.
+// Bounds of friction: of the present pressures, and where friction remembers how far points have
+// slipped those that follow the slip of the step.
 
 #include <fmt/format.h>
 
@@ -7,6 +8,8 @@
 
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
+#include "contact/compliances/point_sums.h"
+#include "contact/friction/carried_friction.h"
 #include "contact/solvers/fixed_point.h"
 #include "contact/solvers/staggered_solver.h"
 
@@ -18,6 +21,39 @@ namespace {
 constexpr double unlike = 1e-3;
 
 }  // namespace
+
+/// Of the present pressures. The area on which friction acts [m^2].
+double StaggeredSolver::update_bounds() {
+    const auto* const carried = dynamic_cast<const CarriedFriction*>(friction_.get());
+    const auto [area, bound] =
+        blocks()
+            .sum<Sums<2>>([&](std::size_t, std::size_t begin, std::size_t end) {
+                const std::size_t n = end - begin;
+                const std::span<const double> share = now_.normal->share;
+                const FrictionLaw::Points pressed{
+                    std::span(now_.normal->pressure).subspan(begin, n),
+                    std::span(points().x).subspan(begin, n),
+                    std::span(points().y).subspan(begin, n)};
+                const std::span<double> bounds = std::span(now_.bound).subspan(begin, n);
+                if (carried)
+                    carried->bounds_beside(
+                        pressed, std::span(now_.tangential.traction.x).subspan(begin, n), bounds);
+                else
+                    bounds_on_shares(*friction_, pressed,
+                                     share.empty() ? share : share.subspan(begin, n), bounds);
+                Sums<2> sum;
+                for (std::size_t i = begin; i < end; ++i) {
+                    if (chatter_.is_watched() && chatter_.lets_go(i, now_.normal->pressure[i] > 0))
+                        now_.bound[i] = 0;
+                    if (now_.bound[i] > 0) sum[0] += points().area[i];
+                    sum[1] += points().area[i] * now_.bound[i];
+                }
+                return sum;
+            })
+            .values;
+    now_.total_bound = bound;
+    return area;
+}
 
 /// Bounds by the ways of points [Pa]; those that carry nothing `at_rest` do not, whatever they
 /// slip.

@@ -203,33 +203,6 @@ void StaggeredSolver::solve_friction(const LoadStep& step, const StepStart& befo
         slide_freely(step);
 }
 
-/// Of the present pressures. The area on which friction acts [m^2].
-double StaggeredSolver::update_bounds() {
-    const auto [area, bound] =
-        blocks()
-            .sum<Sums<2>>([&](std::size_t, std::size_t begin, std::size_t end) {
-                const std::size_t n = end - begin;
-                const std::span<const double> share = now_.normal->share;
-                bounds_on_shares(*friction_,
-                                 {std::span(now_.normal->pressure).subspan(begin, n),
-                                  std::span(points().x).subspan(begin, n),
-                                  std::span(points().y).subspan(begin, n)},
-                                 share.empty() ? share : share.subspan(begin, n),
-                                 std::span(now_.bound).subspan(begin, n));
-                Sums<2> sum;
-                for (std::size_t i = begin; i < end; ++i) {
-                    if (chatter_.is_watched() && chatter_.lets_go(i, now_.normal->pressure[i] > 0))
-                        now_.bound[i] = 0;
-                    if (now_.bound[i] > 0) sum[0] += points().area[i];
-                    sum[1] += points().area[i] * now_.bound[i];
-                }
-                return sum;
-            })
-            .values;
-    now_.total_bound = bound;
-    return area;
-}
-
 void StaggeredSolver::solve_tangential(const LoadStep& step, const StepStart& before) {
     const double contact_area = update_bounds();
     if (friction_->hardening() > 0 && contact_area > 0)

@@ -50,9 +50,11 @@ void check_laws(const Input& input, const std::vector<std::string>& find,
         check_stated_law(find, document);
         return;
     }
-    if (!input.find(Measurement::static_shift) && !input.find(Measurement::sliding_force))
+    if (!input.find(Measurement::static_shift) && !input.find(Measurement::sliding_force) &&
+        !input.find(Measurement::friction_loop))
         io::refuse(document, "measurement.laws", "no table has friction",
-                   "add static_shift or sliding_force, or leave measurement.laws out");
+                   "add static_shift, sliding_force or friction_loop, or leave measurement.laws "
+                   "out");
     for (const std::string& key : find)
         if (is_of_law(key))
             io::refuse(

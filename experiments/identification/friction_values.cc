@@ -8,6 +8,7 @@
 #include "experiments/identification/layer_contact.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/hertz_under_law.h"
+#include "theory/oscillating_cylinder.h"
 #include "theory/springs/sprung_contact.h"
 
 namespace tricontact::experiments {
@@ -90,10 +91,14 @@ std::vector<double> theory_shifts(bool on_layer, const Case& rig,
         return shifts_of(under_law(rig, *rig.load.normal_force), forces);
     const contact::HalfSpaceScales hertz = contact::half_space_scales(rig);
     const double limit = rig.friction_coefficient() * hertz.normal_force;
+    const double line_factor = rig.is_line_contact() ? contact::line_shift_factor(rig) : 0;
     std::vector<double> shifts;
-    for (const double force : forces)  // rounding may make the largest one reach the limit
-        shifts.push_back(hertz.unit_shift *
-                         theory::static_shift_ratio(std::min(1., force / limit)));
+    for (const double force : forces) {
+        const double f = std::min(1., force / limit);  // rounding may make the largest reach it
+        shifts.push_back(hertz.unit_shift * (rig.is_line_contact()
+                                                 ? theory::line_static_shift_ratio(f, line_factor)
+                                                 : theory::static_shift_ratio(f)));
+    }
     return shifts;
 }
 

@@ -112,13 +112,18 @@ bool is_finite_strain(const io::Document& document) {
     return !material.empty() && material != "linear";
 }
 
-void check_round(const io::Document& document) {
+bool is_cylinder(const io::Document& document) {
+    return word_of(document, "indenter.shape") == "cylinder";
+}
+
+void check_round(const Input& input, const io::Document& document) {
     if (!document.find("indenter.shape")) return;
     const std::string shape = word_of(document, "indenter.shape");
     if (shape == "paraboloid" || shape == "sphere") return;
+    if (is_cylinder(document) && input.find(Measurement::friction_loop)) return;
     io::refuse(document, "indenter.shape",
                "material constants are identified under a round indenter",
-               "take \"paraboloid\" or \"sphere\"");
+               "take \"paraboloid\" or \"sphere\"; friction loops also \"cylinder\"");
 }
 
 void check_find(const Input& input, const std::vector<std::string>& find,

@@ -23,8 +23,11 @@ void check_models(const IdentificationInput& input, const io::Document& document
 /// Lengths of a contact are small against the indenter's radius, unless their unit is wrong.
 void check_lengths(const IdentificationInput::Table& table, double radius,
                    const io::Document& document);
-/// Hertz' theory is one of the models, and the others are laid over its radius.
-void check_round(const io::Document& document);
+/// Whether the indenter is a cylinder, whose length is in indenter.length.
+bool is_cylinder(const io::Document& document);
+/// Hertz' theory is one of the models, and the others are laid over its radius. Loops may be those
+/// of a cylinder.
+void check_round(const IdentificationInput& input, const io::Document& document);
 /// What the tables and models can tell. `find`: of the file.
 void check_find(const IdentificationInput& input, const std::vector<std::string>& find,
                 const io::Document& document);

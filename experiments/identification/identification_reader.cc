@@ -55,7 +55,7 @@ bool describes_rig(std::string_view path) {
 
 /// What the models of the case have to be so that its checks are those of the identification's. The
 /// closed forms of the half-space need none.
-std::vector<std::string> case_models(const Input& input, bool has_springs) {
+std::vector<std::string> case_models(const Input& input, bool needs_cells) {
     const bool sheared = is_sheared(input);
     std::set<std::string> models;
     for (const std::string& name : input.models) {
@@ -63,7 +63,7 @@ std::vector<std::string> case_models(const Input& input, bool has_springs) {
         const std::string rules = sheared ? model.rules : model.pressed_rules;
         if (!rules.empty()) models.insert(rules);
     }
-    if (models.empty()) models.insert(has_springs ? contact::models::bem : contact::models::mdr);
+    if (models.empty()) models.insert(needs_cells ? contact::models::bem : contact::models::mdr);
     return {models.begin(), models.end()};
 }
 
@@ -82,14 +82,15 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
         return section.name != "load" && !describes_rig(section.name);
     });
     const bool sheared = is_sheared(input);
-    check_round(document);
+    check_round(input, document);
     const double radius = quantity_of(document, "indenter.radius");
     for (const Table& table : input.tables) check_lengths(table, radius, document);
-    // Those of cells know springs of the interface, and a range.
-    const bool has_springs = rig.find_section("interface") ||
-                             std::ranges::any_of(find, is_stiffness) ||
-                             rig.find("adhesion.range") || rig.find("adhesion.peak_stress");
-    std::vector<io::Entry> guesses{io::overriding("models", case_models(input, has_springs),
+    const bool has_springs =
+        rig.find_section("interface") || std::ranges::any_of(find, is_stiffness);
+    const bool has_range = rig.find("adhesion.range") || rig.find("adhesion.peak_stress");
+    // No rows of mdr's.
+    const bool needs_cells = has_springs || has_range || is_cylinder(document);
+    std::vector<io::Entry> guesses{io::overriding("models", case_models(input, needs_cells),
                                                   document.place_of("measurement.models"))};
     const auto is_free = [&](std::string_view key) { return std::ranges::count(find, key) > 0; };
     const auto guess = [&](std::string_view path, io::Value value) {
@@ -133,9 +134,11 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
         !sheared ||
         std::ranges::none_of(input.models, &io::MeasurementModel::is_layer, io::measurement_model);
     if (is_uncoupled && !is_finite_strain(document)) guess("contact.coupling", false);
-    const double young = is_free("substrate.young")
-                             ? guessed_young(table_of_young(input), radius, normal_force)
-                             : quantity_of(document, "substrate.young");
+    const double young = !is_free("substrate.young") ? quantity_of(document, "substrate.young")
+                         : is_cylinder(document)
+                             ? guessed_young_of_lines(table_of_young(input),
+                                                      quantity_of(document, "indenter.length"))
+                             : guessed_young(table_of_young(input), radius, normal_force);
     if (is_free("substrate.young")) guess("substrate.young", io::shortest(young) + " Pa");
     for (const char* key : {normal_stiffness_key, tangential_stiffness_key})
         if (is_free(key) && !document.find(key))

@@ -11,6 +11,7 @@
 #include "experiments/identification/identification_report.h"
 #include "experiments/identification/law_remainder.h"
 #include "experiments/identification/likelihood.h"
+#include "experiments/identification/row_weights.h"
 #include "io/case/measurement_models.h"
 #include "report/format.h"
 
@@ -89,6 +90,19 @@ void name(LawComparison& comparison, const contact::ModelRunner& runner) {
     if (comparison.named) comparison.best = *comparison.named;
 }
 
+/// Errors of rows of loops as the law of most numbers leaves them, the same for all laws.
+IdentificationInput with_weighed_rows(IdentificationInput input,
+                                      const std::vector<std::string>& laws,
+                                      const contact::ModelRunner& runner) {
+    if (!input.find(Measurement::friction_loop)) return input;
+    const std::string& widest = *std::ranges::max_element(
+        laws, {}, [](const std::string& law) { return io::measurement_law(law).n_numbers(); });
+    IdentificationInput under = with_law(input, io::measurement_law(widest));
+    weigh_rows(under, runner);
+    input.tables = std::move(under.tables);
+    return input;
+}
+
 double largest_held_share(bool on_layer, const LawFit& fit) {
     double share = 0;
     const contact::Case rig = rig_with(fit.input, fit.found.free, fit.found.best()).as_case;
@@ -108,9 +122,10 @@ std::vector<std::size_t> LawComparison::supported() const {
     return places;
 }
 
-LawComparison compare_laws(const IdentificationInput& input, const std::vector<std::string>& laws,
+LawComparison compare_laws(const IdentificationInput& given, const std::vector<std::string>& laws,
                            const contact::ModelRunner& runner, const std::string& model) {
     LawComparison comparison{.model = model};
+    const IdentificationInput input = with_weighed_rows(given, laws, runner);
     for (const MeasurementLaw& law : io::measurement_laws()) {
         if (!std::ranges::count(laws, law.name)) continue;
         LawFit fit{.law = &law, .input = with_law(input, law)};

@@ -205,6 +205,9 @@ LoadRange loads_of_friction(const IdentificationInput& input) {
     for (const auto* shifts : input.all(Measurement::static_shift))
         for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given))
             loads.push_back(load.normal_force);
+    for (const auto* measured : input.all(Measurement::friction_loop))
+        for (const MeasuredLoop& loop : measured->loops.loops)
+            loads.push_back(load_of(loop, input.rig));
     const auto [least, largest] = std::ranges::minmax(loads);
     return {least, largest};
 }

@@ -49,7 +49,9 @@ Likelihood likelihood_of(const IdentificationInput& input, const Identification&
             continue;
         }
         double squares = 0, largest = 0;
-        for (const double r : table.residuals) squares += r * r;
+        const auto& relative = input.tables[t].row_errors.relative;
+        for (std::size_t i = 0; i < table.residuals.size(); ++i)
+            squares += std::pow(table.residuals[i] / (relative.empty() ? 1 : relative[i]), 2);
         for (const double y : input.tables[t].observed) largest = std::max(largest, std::abs(y));
         result.minus_two_log +=
             rows * std::log(std::max(squares / rows, std::pow(least_relative_rms * largest, 2)));

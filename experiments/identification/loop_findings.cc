@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/law_parameters.h"
 #include "experiments/identification/loop_regime.h"
+#include "experiments/identification/loops/loop_stiffness.h"
 #include "statistics/regression.h"
 
 namespace tricontact::experiments {
@@ -39,11 +41,7 @@ struct TableErrors {
     double quantile = 0;         // of the intervals, in standard errors
     double widening = 1;         // of residuals with a pattern
 
-    LoopRows rows(const MeasuredLoop& loop) const {
-        LoopRows all = rows_of(table, loop);
-        all.errors = std::span(errors).subspan(loop.first, loop.n);
-        return all;
-    }
+    LoopRows rows(const MeasuredLoop& loop) const { return rows_of(table, loop, errors); }
 };
 
 /// The measured polygon and what the fitted loop has beyond the chords of its rows; errors of the
@@ -67,34 +65,6 @@ bool is_of_friction(const FreeParameter& p) {
     return is_of_law(p.key) || p.key == drift_key;
 }
 
-/// Variance of a value of the rig by the errors of the parameters that count, with their
-/// correlations; infinite if one of friction that counts is not told.
-double shared_variance(const IdentificationInput& input, const Identification& found,
-                       const std::function<bool(const FreeParameter&)>& counts,
-                       const std::function<double(const IdentifiedRig&)>& value) {
-    const auto best = found.best();
-    std::vector<double> slopes(found.free.size(), 0.);
-    for (std::size_t k = 0; k < found.free.size(); ++k) {
-        const FreeParameter& p = found.free[k];
-        if (!counts(p)) continue;
-        const double error = found.logarithmic.standard_errors[k];
-        if (!std::isfinite(error) && is_of_law(p.key)) return contact::infinity;
-        if (!std::isfinite(error) || !(error > 0)) continue;
-        const double change = std::min(largest_change, error);
-        auto above = best, below = best;
-        above[k] = std::min(p.high, p.changed(best[k], change));
-        below[k] = std::max(p.low, p.changed(best[k], -change));
-        slopes[k] = (value(rig_with(input, found.free, above)) -
-                     value(rig_with(input, found.free, below))) /
-                    p.change(below[k], above[k]);
-    }
-    double variance = 0;
-    const auto& c = found.logarithmic.adjusted;
-    for (std::size_t k = 0; k < slopes.size(); ++k)
-        for (std::size_t l = 0; l < slopes.size(); ++l) variance += slopes[k] * c[k][l] * slopes[l];
-    return std::max(0., variance);
-}
-
 void find_friction(const IdentificationInput& input, const Identification& found,
                    const TableErrors& at, const MeasuredLoop& loop, LoopFinding& finding) {
     const LoopRows rows = at.rows(loop);
@@ -113,6 +83,13 @@ void find_friction(const IdentificationInput& input, const Identification& found
     const double own = error > 0 ? at.widening * error : contact::infinity;
     finding.friction =
         statistics::with_interval(friction, std::hypot(own, finding.shared_error), at.quantile);
+}
+
+void find_stiffness(const TableErrors& at, const LoopRows& rows, LoopFinding& finding) {
+    if (const auto weights = initial_stiffness(rows, finding.stiff_part()))
+        finding.stiffness =
+            statistics::with_interval(weighted(*weights, rows.forces),
+                                      at.widening * weighted_error(*weights, rows), at.quantile);
 }
 
 /// The part of 4 F U of the contact that a cycle dissipates: by its rows, and by the fitted loop as
@@ -172,7 +149,7 @@ LoopSeries series_of(std::span<const LoopFinding> loops, double confidence, doub
                       .last_cycle = loops.back().cycle};
     const auto n = static_cast<double>(loops.size());
     double variance = 0;
-    std::vector<double> cycles, centres, offsets;
+    std::vector<double> cycles, centres, offsets, stiff_cycles, stiffness;
     for (const LoopFinding& loop : loops) {
         series.normal_force += loop.normal_force / n;
         series.shift += loop.state.amplitude / n;
@@ -182,6 +159,9 @@ LoopSeries series_of(std::span<const LoopFinding> loops, double confidence, doub
         cycles.push_back(loop.cycle);
         centres.push_back(loop.state.centre);
         offsets.push_back(loop.state.force_offset);
+        if (!loop.stiffness) continue;
+        stiff_cycles.push_back(loop.cycle);
+        stiffness.push_back(loop.stiffness->value);
     }
     series.energy = statistics::with_interval(series.energy.value, std::sqrt(variance), quantile);
     const std::size_t n_blocks = std::min(most_blocks, loops.size());
@@ -194,11 +174,45 @@ LoopSeries series_of(std::span<const LoopFinding> loops, double confidence, doub
     }
     series.shift_drift = drift_of(cycles, centres, confidence);
     series.force_drift = drift_of(cycles, offsets, confidence);
+    const double mean = std::accumulate(stiffness.begin(), stiffness.end(), 0.) /
+                        static_cast<double>(stiffness.size());
+    for (double& one : stiffness) one /= mean;
+    series.stiffness_drift = drift_of(stiff_cycles, stiffness, confidence);
     std::tie(series.regime, series.confidence) = regime_of_series(loops);
     return series;
 }
 
 }  // namespace
+
+double shared_variance(const IdentificationInput& input, const Identification& found,
+                       const std::function<bool(const FreeParameter&)>& counts,
+                       const std::function<double(const IdentifiedRig&)>& value) {
+    const auto best = found.best();
+    std::vector<double> slopes(found.free.size(), 0.);
+    for (std::size_t k = 0; k < found.free.size(); ++k) {
+        const FreeParameter& p = found.free[k];
+        if (!counts(p)) continue;
+        const double error = found.logarithmic.standard_errors[k];
+        if (!std::isfinite(error) && is_of_law(p.key)) return contact::infinity;
+        if (!std::isfinite(error) || !(error > 0)) continue;
+        const double change = std::min(largest_change, error);
+        auto above = best, below = best;
+        above[k] = std::min(p.high, p.changed(best[k], change));
+        below[k] = std::max(p.low, p.changed(best[k], -change));
+        slopes[k] = (value(rig_with(input, found.free, above)) -
+                     value(rig_with(input, found.free, below))) /
+                    p.change(below[k], above[k]);
+    }
+    double variance = 0;
+    const auto& c = found.logarithmic.adjusted;
+    for (std::size_t k = 0; k < slopes.size(); ++k)
+        for (std::size_t l = 0; l < slopes.size(); ++l) variance += slopes[k] * c[k][l] * slopes[l];
+    return std::max(0., variance);
+}
+
+double LoopFinding::stiff_part() const {
+    return experiments::stiff_part * std::min(1., sliding_shift / state.amplitude);
+}
 
 LoopFindings loop_findings(const IdentificationInput& input, const IdentificationTask& task,
                            const Identification& found) {
@@ -232,6 +246,7 @@ LoopFindings loop_findings(const IdentificationInput& input, const Identificatio
             finding.sticks =
                 (1 - finding.slides) * chance_of_closed(input, found, at, loop, finding);
             find_friction(input, found, at, loop, finding);
+            find_stiffness(at, rows, finding);
             findings.loops.push_back(finding);
         }
         n_series += table.loops.n_series();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,9 +29,14 @@ struct LoopFinding {
     /// Force at which all slides over the normal force, by this loop with E and k_rig of all; of
     /// partial slip by its curvature.
     statistics::Estimate friction;
+    /// dF/dU behind the reversals by the rows alone, contact and rig in series [N/m]; empty where
+    /// too few rows are there.
+    std::optional<statistics::Estimate> stiffness;
     double shared_error = 0;        ///< part of its standard error that E and k_rig bring
     double sticks = 0, slides = 0;  ///< probabilities of a closed loop, and that all slides
 
+    /// Of the way of a branch: where it is about as stiff as it gets.
+    double stiff_part() const;
     double slips_partly() const { return std::max(0., 1 - sticks - slides); }
     comparisons::SlipRegime regime() const;
 };
@@ -55,12 +61,20 @@ struct LoopSeries {
     std::vector<CycleBlock> blocks;
     /// Change per cycle of where shift [m] and force [N] count from; empty below four cycles.
     std::optional<statistics::Estimate> shift_drift, force_drift;
+    /// The same of the stiffness, over its mean: of E, k_rig or a contact that grows.
+    std::optional<statistics::Estimate> stiffness_drift;
 };
 
 struct LoopFindings {
     std::vector<LoopFinding> loops;
     std::vector<LoopSeries> series;
 };
+
+/// Variance of a value of the rig by the errors of the parameters that count, with their
+/// correlations; infinite if a number of friction that counts is not told.
+double shared_variance(const IdentificationInput& input, const Identification& found,
+                       const std::function<bool(const FreeParameter&)>& counts,
+                       const std::function<double(const IdentifiedRig&)>& value);
 
 /// Of a model's fit to the tables of friction loops.
 LoopFindings loop_findings(const IdentificationInput& input, const IdentificationTask& task,

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "contact/base/error.h"
+#include "experiments/identification/identification_checks.h"
 #include "experiments/identification/law_parameters.h"
 #include "experiments/identification/loop_values.h"
+#include "experiments/identification/loops/loop_stiffness.h"
 #include "experiments/identification/rig_guesses.h"
 #include "io/case/case_keys.h"
 #include "io/case/measurement_models.h"
@@ -21,35 +24,48 @@ using Input = IdentificationInput;
 using Table = Input::Table;
 using Measurement = Input::Measurement;
 
-// Of the way of a branch, over which the loop is as stiff as it gets.
-constexpr double stiff_part = .3;
 // Of the stiffness seen, below which no rig is looked for, and above which it is rigid.
 constexpr double softest_rig = .3, stiffest_rig = 1e5;
 constexpr std::size_t least_cycles = 3;
 
-/// dF/dU [N/m] behind the reversals: of the straight line through these rows of both branches.
+/// dF/dU [N/m] behind the reversals; of rows that show none of both reversals.
 double stiffness_of(const LoopRows& rows) {
-    double sum = 0;
-    int n_branches = 0;
-    for (const bool rises : {true, false}) {
-        double n = 0, u = 0, f = 0, uu = 0, uf = 0;
-        for (std::size_t i = 0; i < rows.shifts.size(); ++i) {
-            const double x = rows.shifts[i] - rows.loop.centre;
-            const double way = (rows.loop.amplitude + (rises ? x : -x)) / rows.loop.amplitude / 2;
-            if (rows.rises[i] != rises || way > stiff_part) continue;
-            n += 1;
-            u += x;
-            f += rows.forces[i];
-            uu += x * x;
-            uf += x * rows.forces[i];
-        }
-        const double spread = n * uu - u * u, slope = (n * uf - u * f) / spread;
-        if (!(n > 2) || !(spread > 0) || !(slope > 0)) continue;
-        sum += slope;
-        ++n_branches;
-    }
+    const auto weights = initial_stiffness(rows, stiff_part);
+    const double slope = weights ? weighted(*weights, rows.forces) : 0;
     const auto [least, most] = std::ranges::minmax(rows.forces);
-    return n_branches > 0 ? sum / n_branches : (most - least) / (2 * rows.loop.amplitude);
+    return slope > 0 ? slope : (most - least) / (2 * rows.loop.amplitude);
+}
+
+/// What loops of a line contact determine. A half-space under a line load has no shift of its own:
+/// it goes with the logarithm of the size of the bodies, in proportion to the force, as the rig's
+/// does.
+void check_lines(const Input& input, const std::vector<std::string>& find,
+                 const io::Document& document) {
+    const auto refuse = [&](const char* key, const char* rule, const char* remedy) {
+        io::refuse(document, key, rule, remedy);
+    };
+    if (!input.laws.empty())
+        refuse("measurement.laws", "loops of cylinders are evaluated under Coulomb's law",
+               "leave it out, and find friction.coefficient");
+    for (const std::string& key : find)
+        if (is_of_law(key) && key != coefficient_key)
+            refuse("measurement.find", "loops of cylinders are evaluated under Coulomb's law",
+                   "find friction.coefficient");
+    if (document.find(strength_key) || document.find(strength_limit_key) ||
+        document.find(exponent_key))
+        refuse("indenter.shape", "loops of cylinders are evaluated under Coulomb's law",
+               "leave out what [friction] has beside its coefficient");
+    if (document.find_section("interface"))
+        refuse("indenter.shape", "loops of cylinders are those of a rigid interface",
+               "leave out [interface]");
+    if (io::measurement_model(input.models.front()).is_layer)
+        refuse("measurement.models", "loops of cylinders are evaluated on a half-space",
+               "take models = [\"half-space\"]");
+    if (!std::ranges::count(find, rig_stiffness_key))
+        refuse("measurement.find",
+               "the shift of a line contact goes with the size of its bodies, which nothing tells "
+               "from the rig's",
+               "add rig.tangential_stiffness, which is found as that of both");
 }
 
 }  // namespace
@@ -74,9 +90,6 @@ void check_loop_tables(const Input& input, const std::vector<std::string>& find,
                    "loops are evaluated on their own, and there is " +
                        std::string(key_of(table.measurement)),
                    "identify that in a file of its own");
-    if (!input.laws.empty())
-        refuse("measurement.laws", "loops find the numbers of one law, that of [friction]",
-               "name its numbers in measurement.find, and try laws in files of their own");
     for (const std::string& model : input.models)
         if (!io::measurement_model(model).knows_laws)
             refuse("measurement.models",
@@ -85,13 +98,14 @@ void check_loop_tables(const Input& input, const std::vector<std::string>& find,
     if (input.models.size() > 1)
         refuse("measurement.models", "loops are evaluated by one model",
                "take models = [\"half-space\"] or [\"layer\"]");
-    if (std::ranges::none_of(find, is_of_law))
+    if (input.laws.empty() && std::ranges::none_of(find, is_of_law))
         refuse("measurement.find", "loops find friction beside whatever else",
-               "add friction.coefficient");
+               "add friction.coefficient, or measurement.laws");
     for (const std::string& key : find)
         if (key != "substrate.young" && key != rig_stiffness_key && !is_of_law(key))
             refuse("measurement.find", "friction_loop does not determine " + key,
                    "find substrate.young, numbers of [friction] and rig.tangential_stiffness");
+    if (is_cylinder(document)) check_lines(input, find, document);
     if (document.find_section("substrate.relaxation"))
         refuse("substrate.relaxation.relative_moduli", "loops are those of elastic bodies",
                "leave out [substrate.relaxation]");
@@ -135,6 +149,16 @@ double guessed_young_of_loops(const Table& table, double radius, double normal_f
     const double modulus = std::pow(
         rig_share * stiffest / (2 * shear_over_plane * std::cbrt(.75 * load * radius)), 1.5);
     return guessed_plane_share * modulus;
+}
+
+double guessed_young_of_lines(const Table& table, double length) {
+    double stiffest = 0;
+    for (const MeasuredLoop& loop : table.loops.loops)
+        stiffest = std::max(stiffest, stiffness_of(rows_of(table, loop)));
+    // dF/dU = pi E* L/(2 lambda - 1), lambda about 5 where L is some ten half widths.
+    constexpr double shift_factor = 5, rig_share = 2;
+    return guessed_plane_share * rig_share * stiffest * (2 * shift_factor - 1) /
+           (std::numbers::pi * length);
 }
 
 double largest_ratio_of_loops(const Table& table, double normal_force) {

@@ -23,6 +23,9 @@ double compliance_of_rig(const IdentificationInput& input, const io::Document& d
 double guessed_young_of_loops(const IdentificationInput::Table& table, double radius,
                               double normal_force);
 
+/// The same of a line contact of this length [m].
+double guessed_young_of_lines(const IdentificationInput::Table& table, double length);
+
 /// Largest half range of force over normal force.
 double largest_ratio_of_loops(const IdentificationInput::Table& table, double normal_force);
 

@@ -16,6 +16,7 @@ using Table = IdentificationInput::Table;
 // Mindlin's shift is straight over the nodes; of a strength, and of springs of the interface, so
 // many leave 1e-5 of the force.
 constexpr int n_nodes = 32;
+constexpr int n_nodes_of_lines = 256;  // (1 - f) ln(1 - f) bends at sliding
 constexpr double least_friction_of_drift = .05;
 
 }  // namespace
@@ -31,6 +32,12 @@ LoopRows rows_of(const Table& table, const MeasuredLoop& loop) {
             part(table.observed),
             part(table.standard_errors.empty() ? table.row_errors.relative : table.standard_errors),
             {begin, begin + static_cast<std::ptrdiff_t>(loop.n)}};
+}
+
+LoopRows rows_of(const Table& table, const MeasuredLoop& loop, const std::vector<double>& errors) {
+    LoopRows rows = rows_of(table, loop);
+    rows.errors = std::span(errors).subspan(loop.first, loop.n);
+    return rows;
 }
 
 double load_of(const MeasuredLoop& loop, const contact::Case& rig) {
@@ -54,8 +61,9 @@ LoopCurve loop_curve(const IdentifiedRig& rig, double normal_force) {
     c.load.normal_force = normal_force;
     const double limit = sliding_forces(rig.loops_on_layer, c, {normal_force}).front();
     std::vector<double> forces;
-    for (int i = 0; i <= n_nodes; ++i)
-        forces.push_back(LoopCurve::force_at(limit, static_cast<double>(i) / n_nodes));
+    const int n = c.is_line_contact() ? n_nodes_of_lines : n_nodes;
+    for (int i = 0; i <= n; ++i)
+        forces.push_back(LoopCurve::force_at(limit, static_cast<double>(i) / n));
     return {limit, rig.rig_compliance, theory_shifts(rig.loops_on_layer, c, forces)};
 }
 

@@ -15,6 +15,9 @@ inline constexpr std::string_view rig_stiffness_key = "rig.tangential_stiffness"
 inline constexpr std::string_view drift_key = "friction_drift";
 
 LoopRows rows_of(const IdentificationInput::Table& table, const MeasuredLoop& loop);
+/// With these errors of the table's forces [N], which are to outlive the rows.
+LoopRows rows_of(const IdentificationInput::Table& table, const MeasuredLoop& loop,
+                 const std::vector<double>& errors);
 
 /// Normal force [N] of a loop.
 double load_of(const MeasuredLoop& loop, const contact::Case& rig);

@@ -10,8 +10,7 @@
 #include "contact/base/special_values.h"
 #include "contact/models/model_kind.h"
 #include "experiments/identification/identification_models.h"
-#include "experiments/identification/law_parameters.h"
-#include "io/case/case_keys.h"
+#include "experiments/predictions/found_numbers.h"
 #include "report/format.h"
 
 namespace tricontact::experiments {
@@ -37,46 +36,6 @@ void check_found(const IdentificationInput& tables) {
             tables.name +
             ": substrate.thickness: laws of friction are compared by closed forms of the "
             "half-space; omit it, or give one law in [friction] and leave measurement.laws out");
-}
-
-std::string override_of(const io::CaseKey& key, double value) {
-    const std::string_view unit = io::si_unit(key.dimension);
-    return key.dimension == io::Dimension::none ? fmt::format("{}={}", key.path, value)
-                                                : fmt::format("{}={} {}", key.path, value, unit);
-}
-
-/// What a fit tells of the case: all numbers of the law, and what else was found.
-std::vector<std::string> overrides_of(const LawFit& fit) {
-    contact::Case c = rig_with(fit.input, fit.found.free, fit.found.best()).as_case;
-    std::vector<std::string> overrides;
-    for (const io::CaseKey& key : io::case_keys()) {
-        const bool is_found = fit.found.find(std::string(key.path)).has_value();
-        if (key.section() != "friction" && !is_found) continue;
-        if (const double* number = io::number_of(key, c))
-            overrides.push_back(override_of(key, *number));
-    }
-    return overrides;
-}
-
-bool is_at_an_end(const LawFit& fit) {
-    for (std::size_t k = 0; k < fit.found.free.size(); ++k)
-        if (const double value = fit.found.parameters[k].value;
-            !std::isfinite(value) || fit.found.free[k].is_at_bound(value))
-            return true;
-    return false;
-}
-
-/// The end of n that is no narrower law.
-bool has_largest_exponent(const LawFit& fit) {
-    const auto k = fit.found.find(std::string(exponent_key));
-    return k && fit.found.parameters[*k].value > 1 &&
-           fit.found.free[*k].is_at_bound(fit.found.parameters[*k].value);
-}
-
-bool tells_all(const LawFit& fit) {
-    return std::ranges::all_of(fit.found.parameters, [](const ParameterEstimate& p) {
-        return std::isfinite(p.standard_error);
-    });
 }
 
 /// The case's own uncertain numbers, and those that the tables tell in place of what it states.
@@ -115,21 +74,10 @@ void add_limits(RecordedLaw& law) {
 RecordedLaw law_of(const LawFit& fit, const ExperimentEvaluation& record,
                    const ExperimentInput& input, const PredictionRuns& runs) {
     RecordedLaw law;
-    law.overrides = overrides_of(fit);
-    if (has_largest_exponent(fit)) {
-        law.why_not = "its exponent is at the end of its range";
-        return law;
-    }
-    if (is_at_an_end(fit)) {
-        law.why_not =
-            "its numbers are at the end of their range, where it is a law that it "
-            "contains";
-        return law;
-    }
-    if (!tells_all(fit)) {
-        law.why_not = "the tables do not tell its numbers";
-        return law;
-    }
+    law.overrides =
+        overrides_of(rig_with(fit.input, fit.found.free, fit.found.best()).as_case, fit.found);
+    law.why_not = why_untold(fit);
+    if (!law.why_not.empty()) return law;
     PredictionRuns under{runs.runner, runs.overrides, [&](const std::string& line) {
                              runs.say(fmt::format("{}: {}", fit.law->name, line));
                          }};

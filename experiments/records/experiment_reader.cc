@@ -39,7 +39,7 @@ Record read_record(const std::string& path) {
     if (table.has("cycle"))
         io::fail(table.name(), "",
                  "has a column cycle, as friction loops have, and records are those of rolling",
-                 "name the table in measurement.friction_loop, and take tricontact identify");
+                 "name the table in measurement.friction_loop in place of [record]");
     Record record{.name = table.name(),
                   .time = table.values("time", io::Dimension::time),
                   .shift = table.values("shift", io::Dimension::length),
@@ -112,12 +112,9 @@ ExperimentInput read_experiment(const std::string& path,
                                 const std::vector<std::string>& overrides) {
     const io::Document document =
         io::read_rig_document(path, overrides, "record", "nothing was recorded",
-                              "add one with kind = \"shakedown\" and runs = [\"run_1.csv\"]; "
-                              "tables of [measurement] are evaluated by tricontact identify");
-    if (document.find("measurement.friction_loop"))
-        io::refuse(document, "measurement.friction_loop",
-                   "experiment evaluates records of rolling, and loops are none",
-                   "leave it out, or take tricontact identify");
+                              "add one with kind = \"shakedown\" and runs = [\"run_1.csv\"], or "
+                              "friction loops as measurement.friction_loop; other tables of "
+                              "[measurement] are evaluated by tricontact identify");
     ExperimentInput input;
     Experiment& e = input.experiment;
     read_keys(e, document);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/base/error.h"
+#include "fem/case/conforming_friction.h"
 
 namespace tricontact::fem {
 
@@ -65,7 +66,11 @@ double edge_of(const Surface& s, double spacing) {
 
 contact::StepRecord ConformingModel::advance(const contact::LoadStep& step) {
     refuse_motion(step);
-    return along_z_->advance(step);
+    if (!is_coupled()) return along_z_->advance(step);
+    // Where all slips no force along x tells where the pin is: it is in the middle.
+    contact::LoadStep held = step;
+    held.tangential[0] = {contact::TangentialControl::Kind::shift, 0};
+    return along_z_->advance(held);
 }
 
 contact::Scales ConformingModel::scales() const {
@@ -79,7 +84,19 @@ contact::Scales ConformingModel::scales() const {
 Surface ConformingModel::surface() const {
     Surface s = along_z_->surface();
     for (std::size_t i = 0; i < s.size(); ++i) {
-        const double cosine = std::cos(s.x(static_cast<int>(i)) / radius_);
+        const double angle = s.x(static_cast<int>(i)) / radius_, cosine = std::cos(angle);
+        if (is_coupled()) {
+            // v = u_t + tan u_n, w = u_n/cos.
+            if (s.normal_traction[i] > 0)
+                s.normal_traction[i] = ConformingFriction::radial_pressure(
+                    s.normal_traction[i],
+                    s.tangential_traction_x.empty() ? 0 : s.tangential_traction_x[i], angle);
+            if (!s.displacement_x.empty() && !s.displacement_z.empty())
+                s.displacement_x[i] -= std::sin(angle) * s.displacement_z[i];
+            for (auto* const length : {&s.displacement_z, &s.gap})
+                if (!length->empty()) (*length)[i] *= cosine;
+            continue;
+        }
         for (auto* const traction : {&s.normal_traction, &s.friction_bound})
             if (!traction->empty()) (*traction)[i] /= cosine;
         for (auto* const length : {&s.displacement_x, &s.displacement_z, &s.gap})

@@ -8,8 +8,8 @@ namespace tricontact::fem {
 
 /// A pin in a hole, whose points are pressed along their common radius. `along_z` solves it with
 /// pressures times the cosine of the angle and lengths over it (see planar::pair_compliance); this
-/// model tells pressures, gaps and displacements along the radius. Its x is the arc on the pin. It
-/// is pressed without friction.
+/// model tells pressures, gaps and displacements along the radius. Its x is the arc on the pin.
+/// Coupled, it is pressed with friction along the arc.
 class ConformingModel final : public contact::Model {
   public:
     /// `radius` of the pin [m].
@@ -18,8 +18,9 @@ class ConformingModel final : public contact::Model {
 
     std::string name() const override { return along_z_->name(); }
     double step_accuracy() const override { return along_z_->step_accuracy(); }
-    bool is_coupled() const override { return false; }
-    /// Throws contact::InputError also for a step with a load along the surface or an offset.
+    bool is_coupled() const override { return along_z_->is_coupled(); }
+    /// Throws contact::InputError also for a step with a load along the surface or an offset: the
+    /// pin is held where no force along x is.
     contact::StepRecord advance(const contact::LoadStep& step) override;
     void release() override { along_z_->release(); }
     void enlarge(const contact::ContactAtEdge& reached) override { along_z_->enlarge(reached); }

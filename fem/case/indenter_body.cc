@@ -3,11 +3,13 @@
 #include "contact/base/error.h"
 #include "contact/load_path.h"
 #include "fem/settings.h"
+#include "meshes/layered_body_mesh.h"
 #include "meshes/round_body_mesh.h"
 
 // What holds a body is its base (meshes/round_body_mesh.h): a holder and a hub are bonded to it. Of
 // a body between plates the base is the plane of symmetry between them, which takes no shear: what
-// slides along it is held by that symmetry, since no force may pull it.
+// slides along it is held by that symmetry, since no force may pull it. What a pressure presses on
+// its base has no other hold than the contact.
 
 namespace tricontact::fem {
 
@@ -21,6 +23,14 @@ meshes::HexMesh mesh_of(const Case& c, const meshes::LayerMeshSpec& patch) {
     switch (body.form) {
         case ElasticBody::Form::hemisphere:
         case ElasticBody::Form::ball:
+            if (body.support == ElasticBody::Support::hub)
+                return meshes::make_hub_ball_mesh({.radius = c.indenter.radius,
+                                                   .hub_radius = body.hub_radius,
+                                                   .size = patch.size,
+                                                   .patch_x = patch.patch_x,
+                                                   .patch_y = patch.patch_y,
+                                                   .growth = patch.growth,
+                                                   .half_model = patch.half_model});
             return meshes::make_half_ball_mesh({.radius = c.indenter.radius,
                                                 .size = patch.size,
                                                 .patch_x = patch.patch_x,
@@ -35,12 +45,24 @@ meshes::HexMesh mesh_of(const Case& c, const meshes::LayerMeshSpec& patch) {
                                                .growth = patch.growth,
                                                .hub_radius = body.hub_radius,
                                                .rolls = rolls_on_its_hub(c)});
+        case ElasticBody::Form::punch:
+            return meshes::make_punch_mesh(
+                {.radius = c.indenter.flat_radius + c.indenter.radius,
+                 .height = body.height,
+                 .size = patch.size,
+                 .patch_x = patch.patch_x,
+                 .patch_y = patch.patch_y,
+                 .growth = patch.growth,
+                 .half_model = patch.half_model,
+                 .profile = [shape = std::shared_ptr(c.make_indenter())](double r) {
+                     return shape->height(r, 0);
+                 }});
         default:  // of files: meshed_bodies.h
             break;
     }
     throw contact::InputError(
-        "indenter.body: fem meshes hemispheres, balls and cylinders; choose one of these or leave "
-        "out fem");
+        "indenter.body: fem meshes hemispheres, balls, cylinders and punches; choose one of these "
+        "or leave out fem");
 }
 
 }  // namespace
@@ -59,6 +81,7 @@ LayerProblem indenter_problem(const Case& c, const meshes::LayerMeshSpec& patch)
         problem.base = Case::Base::frictionless;
         problem.held_by_symmetry = true;
     }
+    problem.pressed_evenly = c.indenter.body->support == ElasticBody::Support::pressure;
     if (c.is_cylindrical()) problem.line_length = c.indenter.length;
     return problem;
 }

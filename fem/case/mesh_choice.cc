@@ -8,6 +8,7 @@
 #include <new>
 
 #include "contact/models/model_kind.h"
+#include "contact/solvers/adhesive_normal.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/surface_model.h"
@@ -39,6 +40,7 @@ constexpr double probe_elements = 3;   // in the guessed contact radius
 constexpr double probe_margin = 1.35;  // of the patch over the guess
 constexpr double enlargement = 1.4;
 constexpr double probe_tolerance = 1e-4;
+constexpr double probe_ring = 1;    // elements that a tension without a range acts over
 constexpr double end_fineness = 4;  // elements of a roller's ends in one of the patch
 
 /// Half sides of the region that the contact centre sweeps [m].
@@ -47,16 +49,43 @@ Vector2 path_extent(const Case& c, double contact_radius) {
     return {reach[0], contact::is_mirror_symmetric(c) ? 0 : reach[1]};
 }
 
-/// Largest distance of a point in contact from the centre [m]; 0 when the edge is reached.
+/// What acts on the points: pressure, or the tension of surfaces that attract each other. Elements
+/// of the probe are too large for most ranges: then it has none, over a ring of the least width.
+std::vector<double> carried_by(const Case& c, const contact::Compliance& compliance,
+                               const std::vector<double>& height,
+                               const contact::NormalControl& control) {
+    const auto pressed = contact::NormalSolver(compliance, probe_tolerance).solve(height, control);
+    if (!c.adhesion) return pressed.pressure;
+    const double modulus = c.materials().effective_modulus();
+    const auto attracted = [&](const contact::AttractionLaw& law) {
+        const auto attraction = attraction_on(compliance.points(), law, modulus, probe_ring);
+        auto s =
+            contact::AdhesiveNormal(contact::models::fem, compliance, attraction, probe_tolerance)
+                .settle(height, control, {});
+        for (std::size_t i = 0; i < s.tension.size(); ++i)
+            s.tension[i] = std::max(s.tension[i], s.pressure[i]);
+        return s.tension;
+    };
+    contact::AttractionLaw law = c.adhesion->attraction();
+    try {
+        return attracted(law);
+    } catch (const contact::InputError&) {
+        law.distance = 0;
+        return attracted(law);
+    }
+}
+
+/// Largest distance of a point in contact, or held by attraction, from the centre [m]; 0 when the
+/// edge is reached.
 double pressed_radius(const Case& c, const contact::NormalControl& control,
                       const contact::Compliance& compliance) {
     const contact::ContactPoints& points = compliance.points();
     const auto height = heights_over(points, *c.make_indenter(), {0, 0});
-    const auto pressed = contact::NormalSolver(compliance, probe_tolerance).solve(height, control);
-    if (reaches_edge(points, pressed.pressure)) return 0;
+    const auto carries = carried_by(c, compliance, height, control);
+    if (reaches_edge(points, carries)) return 0;
     double radius = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (pressed.pressure[i] > 0)
+        if (carries[i] > 0)
             radius =
                 std::max(radius, std::hypot(points.x[i], c.is_cylindrical() ? 0 : points.y[i]));
     return radius;

@@ -112,7 +112,8 @@ Plan plan(const Case& c, LayerCondenser& condenser) {
     const double radius = patch_margin * probe_radius(c, hardest, condenser);
     const std::optional<double>& given = c.of<Settings>().size;
     const double size = given ? *given : size_for_accuracy(c, radius, condenser);
-    const Plan plan{size, radius, shift_to_expect(c, radius)};
+    const double ring = c.adhesion ? contact::points_without_range * size : 0;
+    const Plan plan{size, radius + ring, shift_to_expect(c, radius)};
     say_what_was_chosen(c, spec_of(c, plan), condenser);
     return plan;
 }
@@ -200,10 +201,12 @@ std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say, int n_
     };
     const auto direct = [&]() -> std::unique_ptr<contact::Model> {
         auto relaxed = contact::relaxes_as_one(c) ? of_elastic(c) : nullptr;
-        return std::make_unique<contact::SurfaceModel>(
+        auto model = std::make_unique<contact::SurfaceModel>(
             contact::models::fem,
             *contact::make_substrate(c, false, std::move(relaxed), of_elastic), c.make_indenter(),
             c.friction.law(), c.of<Settings>().tolerance, c.contact);
+        if (c.adhesion) model->attract(c.adhesion->attraction(), c.materials().effective_modulus());
+        return model;
     };
     return own ? by_solver(c, spec_of(c, *own), n_threads, say, direct) : direct();
 }

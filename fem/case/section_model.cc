@@ -12,6 +12,7 @@
 #include "contact/relaxing_case.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/surface_model.h"
+#include "fem/case/conforming_friction.h"
 #include "fem/case/conforming_model.h"
 #include "fem/case/indenter_body.h"
 #include "fem/case/model_of_revolution.h"
@@ -191,6 +192,7 @@ std::unique_ptr<planar::SectionCompliance> compliance_of(const Case& c, Solid so
     const std::vector<planar::CondensedSection> bodies = bodies_of(c, solid, sizes);
     planar::PairOptions options;
     options.conforming = c.has_hole();
+    options.with_friction = c.contact.coupling;
     options.radius = c.indenter.radius;
     const bool line = solid == Solid::plane_strain;
     options.length = line ? c.indenter.length : 1;
@@ -281,9 +283,12 @@ std::unique_ptr<contact::Model> make_section_model(const ModelKind& kind, const 
         auto relaxed = contact::relaxes_as_one(of) ? elastic(of) : nullptr;
         return contact::make_substrate(of, false, std::move(relaxed), elastic);
     };
+    std::shared_ptr<const contact::FrictionLaw> friction = c.friction.law();
+    if (c.has_hole() && c.contact.coupling)
+        friction = std::make_shared<ConformingFriction>(friction, c.indenter.radius);
     auto model =
         std::make_unique<contact::SurfaceModel>(name, *substrate(c, half), c.make_indenter(),
-                                                c.friction.law(), settings.tolerance, c.contact);
+                                                std::move(friction), settings.tolerance, c.contact);
     model->set_larger_grid(
         [=, room = half](const contact::ContactAtEdge&) mutable
         -> std::unique_ptr<contact::Substrate> { return substrate(c, room *= section_growth); });

@@ -287,8 +287,8 @@ std::array<std::vector<double>, 3> missing_reaction(
 }  // namespace
 
 LayerProblem broadcast(LayerProblem problem, const Session& session) {
-    auto& [mesh, materials, base, sides, largest_bulk_ratio, line_length, held_by_symmetry] =
-        problem;
+    auto& [mesh, materials, base, sides, largest_bulk_ratio, line_length, held_by_symmetry,
+           pressed_evenly] = problem;
     session.broadcast(mesh.nodes);
     session.broadcast(mesh.hexes);
     session.broadcast(mesh.regions);
@@ -302,6 +302,7 @@ LayerProblem broadcast(LayerProblem problem, const Session& session) {
     session.broadcast(&largest_bulk_ratio, sizeof(largest_bulk_ratio));
     session.broadcast(&line_length, sizeof(line_length));
     session.broadcast(&held_by_symmetry, sizeof(held_by_symmetry));
+    session.broadcast(&pressed_evenly, sizeof(pressed_evenly));
     return problem;
 }
 

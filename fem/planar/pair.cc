@@ -72,6 +72,11 @@ double share_of_approach(const PairOptions& options, double along) {
     return options.conforming ? std::cos(along / options.radius) : 1;
 }
 
+/// What a traction along the surface of q = 0 presses: see pair_compliance().
+double slope_of(const PairOptions& options, double along) {
+    return options.conforming && options.with_friction ? std::tan(along / options.radius) : 0;
+}
+
 /// By points, of each body: see SectionCompliance.
 std::vector<std::vector<double>> missing_by_points(const std::vector<CondensedSection>& bodies,
                                                    const ContactGrid& grid,
@@ -80,13 +85,39 @@ std::vector<std::vector<double>> missing_by_points(const std::vector<CondensedSe
     const std::size_t n_points = grid.size();
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         auto& of_body = missing.emplace_back(2 * n_points, 0.);
-        for (const auto& [node, point, value] : grid.transfer[b])
-            for (std::size_t d = 0; d < 2; ++d)
-                of_body[d * n_points + point] +=
-                    value / (grid.area[point] * share_of_approach(options, grid.along[point])) *
-                    bodies[b].missing_reaction[d * bodies[b].size() + node];
+        for (const auto& [node, point, value] : grid.transfer[b]) {
+            const double along = grid.along[point], weight = value / grid.area[point];
+            const double by_traction = bodies[b].missing_reaction[node],
+                         by_pressure = bodies[b].missing_reaction[bodies[b].size() + node];
+            of_body[point] += weight * (by_traction + slope_of(options, along) * by_pressure);
+            of_body[n_points + point] += weight * by_pressure / share_of_approach(options, along);
+        }
     }
     return missing;
+}
+
+/// T C T' of a conforming contact with friction, T from displacements along arc and radius to v and
+/// w: [1, tan; 0, 1/cos].
+std::vector<double> along_z(const ByComponent& blocks, const ContactGrid& grid,
+                            const PairOptions& options, double per_force) {
+    const auto n = static_cast<Eigen::Index>(grid.size());
+    Eigen::VectorXd slope(n), share(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        slope[i] = slope_of(options, grid.along[i]);
+        share[i] = 1 / share_of_approach(options, grid.along[i]);
+    }
+    const auto tan = slope.asDiagonal(), over_cos = share.asDiagonal();
+    const Dense along =
+        blocks[0][0] + tan * blocks[1][0] + blocks[0][1] * tan + tan * blocks[1][1] * tan;
+    const Dense across = (blocks[0][1] + tan * blocks[1][1]) * over_cos;
+    const Dense down = over_cos * blocks[1][1] * over_cos;
+    std::vector<double> matrix(9 * n * n, 0);
+    Eigen::Map<Dense> all(matrix.data(), 3 * n, 3 * n);
+    all.block(0, 0, n, n) = per_force * along;
+    all.block(0, 2 * n, n, n) = per_force * across;
+    all.block(2 * n, 0, n, n) = per_force * across.transpose();
+    all.block(2 * n, 2 * n, n, n) = per_force * down;
+    return matrix;
 }
 
 }  // namespace
@@ -114,7 +145,8 @@ std::unique_ptr<const contact::Interior> SectionCompliance::interior(
         for (const auto& [node, point, value] : part.transfer) {
             const double share = share_of_approach(options_, points().x[point]);
             forces[node] += value * t.x[point];
-            forces[part.n_nodes + node] += value * p[point] / share;
+            forces[part.n_nodes + node] +=
+                value * (p[point] / share + slope_of(options_, points().x[point]) * t.x[point]);
         }
         // Both are condensed under what presses the substrate; it is the other way round on the
         // body that presses.
@@ -149,6 +181,8 @@ std::unique_ptr<SectionCompliance> pair_compliance(const std::vector<CondensedSe
                         per_force *
                         blocks[r][c](static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) /
                         (share(i) * share(k));
+    if (options.conforming && options.with_friction)
+        matrix = along_z(blocks, grid, options, per_force);
     auto pair =
         std::make_unique<SectionCompliance>(points_of(grid, solid, options), std::move(matrix),
                                             missing_by_points(bodies, grid, options));

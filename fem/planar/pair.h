@@ -20,6 +20,7 @@ struct PairOptions {
     /// Cosine of the angle at which each point is pressed, of a conforming contact: see below.
     bool conforming = false;
     double radius = 0;           ///< of a conforming contact [m]
+    bool with_friction = false;  ///< of a conforming contact: see below
     double local_ratio = 1;      ///< see contact::ContactPoints
     bool is_whole_face = false;  ///< likewise
     bool first_presses = false;  ///< the first of the bodies is the one that presses
@@ -73,6 +74,11 @@ class SectionCompliance final : public DenseCompliance {
 /// pressures p cos(theta), and gaps and displacements over cos(theta), the approach is the same
 /// everywhere and the force that is carried the sum of pressures times areas: frictionless contact
 /// is that of flat bodies. All points must lie within 90 degrees of the lowest one.
+///
+/// With friction what is pressed along z is q = p cos - t sin, t the traction along the arc, whose
+/// sum is the force; with lengths that belong to q and t, w = u_n/cos and v = u_t + tan u_n, the
+/// pin has slipped over the hole by v and a constant of the shape: where bodies touch, d cos is the
+/// gap with u_n, and the d sin that it moves down beside the hole is tan times that.
 std::unique_ptr<SectionCompliance> pair_compliance(const std::vector<CondensedSection>& bodies,
                                                    const ContactGrid& grid,
                                                    const PairOptions& options);

@@ -107,7 +107,7 @@ Case resolve(const Document& document) {
     for (const CaseKey& key : case_keys()) read_or_default(key, place_of(key, c), document, keys);
     if (c.has_rigid_substrate) c.substrate = contact::rigid_material;
     make_paths_absolute(c, document);
-    // Along the radii of a hole there is no coupling, see check_hole().
+    // In a hole there is friction if it is asked for, see check_hole().
     if (c.has_hole() && !document.find("contact.coupling")) c.contact.coupling = false;
     check_bodies(c, document);
     resolve_oscillation(c, document);

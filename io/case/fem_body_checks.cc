@@ -6,8 +6,8 @@
 
 // What fem computes of an indenter that deforms: a cylinder rolls about its hub; other bodies are
 // pressed and loaded where they stand, since what touches after they have turned is no longer the
-// same. A body between plates is held by their symmetry alone: whatever is not mirrored in the
-// plane between them, or would make it roll, has no answer.
+// same. A body between plates is held by their symmetry alone, one that a pressure presses by that
+// about its axis: whatever breaks it, or would make it roll, has no answer.
 
 namespace tricontact::io {
 
@@ -22,8 +22,9 @@ constexpr double farthest_turn = 2;  // way over radius
 std::string why_it_stands(const ElasticBody& body) {
     const std::string held = "a " + std::string(contact::body_form(body.form).title) + " held by " +
                              contact::title_of(body.support);
-    if (body.support == ElasticBody::Support::plates)
+    if (body.support == ElasticBody::Support::plates || body.is_loose())
         return held + " stands by symmetry alone, which rolling breaks";
+    if (body.support == ElasticBody::Support::hub) return held + " is meshed where it stands";
     return held +
            " has another stiffness after it has turned: it is not of revolution about the "
            "axis that it rolls about";
@@ -50,8 +51,14 @@ void check_motion(const Case& c, const Document& document) {
                "leave its offsets out, or " + remedy);
 }
 
-void check_plates(const Case& c, const Document& document) {
-    if (c.indenter.body->support != ElasticBody::Support::plates) return;
+void check_held_by_symmetry(const Case& c, const Document& document) {
+    const ElasticBody& body = *c.indenter.body;
+    if (body.support != ElasticBody::Support::plates && !body.is_loose()) return;
+    const std::string held = body.is_loose() ? "that a pressure presses" : "between two plates";
+    if (c.friction.map && c.friction.map->varies_along_y())
+        refuse(document, "friction.map",
+               "a body " + held + " stands by symmetry in both planes of its axis",
+               "omit it, or take another support");
     const bool moved =
         c.prescribed_path && (c.prescribed_path->twists() || !contact::is_mirror_symmetric(c));
     const bool pulled =
@@ -60,7 +67,7 @@ void check_plates(const Case& c, const Document& document) {
         });
     if (c.load.is_tangential() || moved || pulled)
         refuse(document, c.prescribed_path ? path_key(document) : tangential_key(c),
-               "a body between two plates rolls or spins under a tangential load: nothing holds it",
+               "a body " + held + " rolls or spins under a tangential load: nothing holds it",
                "set the tangential load to 0, or take another support");
 }
 
@@ -116,16 +123,9 @@ void check_fem_body(const Case& c, const Document& document) {
     const auto refuse_body = [&](const std::string& why, const std::string& remedy) {
         refuse(document, c.indenter.body->key(), why, remedy);
     };
-    if (c.indenter.body->form == ElasticBody::Form::punch)
-        refuse_body("fem meshes hemispheres, balls and cylinders, no punch",
-                    "take one of these, or leave out fem");
     if (c.law != Case::Law::linear)
         refuse_body("at finite strains fem takes the indenter as rigid",
                     "leave it out, or set substrate.material to \"linear\"");
-    if (c.indenter.body->form == ElasticBody::Form::ball &&
-        c.indenter.body->support == ElasticBody::Support::hub)
-        refuse_body("fem meshes a ball between plates, none on a hub",
-                    "take support = \"plates\", or fem-axisymmetric");
     const bool in_file = c.indenter.body->form == ElasticBody::Form::mesh;
     if (in_file) check_meshes(c, document);
     if (c.of<fem::Settings>().mesh && !in_file)
@@ -133,7 +133,7 @@ void check_fem_body(const Case& c, const Document& document) {
                "the nodes of a mesh file do not match those of the indenter's body",
                "omit it, or give the indenter's mesh as indenter.mesh");
     check_motion(c, document);
-    check_plates(c, document);
+    check_held_by_symmetry(c, document);
 }
 
 }  // namespace tricontact::io

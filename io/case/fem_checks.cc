@@ -253,8 +253,27 @@ void check_solver(const Case& c, const Document& document) {
                "set it to \"auto\" or \"direct\", or leave that out");
 }
 
+/// What of surfaces that attract each other finite elements are not verified for.
+void check_attraction(const Case& c, const Document& document) {
+    if (!c.adhesion) return;
+    const std::string key = "adhesion.work";
+    if (c.indenter.body || c.has_rigid_substrate)
+        refuse(document, key,
+               "surfaces that attract each other are not computed by fem with an indenter that "
+               "deforms",
+               "leave out indenter.body or [adhesion], or take bem-layer");
+    if (c.is_cylindrical())
+        refuse(document, key, "a cylinder or roller that attracts the layer is not computed by fem",
+               "take another indenter.shape or bem-layer, or leave out [adhesion]");
+    if (c.of<fem::Settings>().mesh)
+        refuse(document, key,
+               "surfaces that attract each other are not computed on the mesh of a file",
+               "leave out fem.mesh or [adhesion]");
+}
+
 void check_fem(const Case& c, double steps, const Document& document) {
     check_solver(c, document);
+    check_attraction(c, document);
     check_indenter(c, document);
     if (c.indenter.body) check_fem_body(c, document);
     check_law(c, document);

@@ -70,15 +70,15 @@ void check_plate(const Case& c, const Document& document) {
 }
 
 void check_pressed_alone(const Case& c, const Document& document) {
-    const std::string rule = "in a hole bodies are pressed alone, without friction";
-    if (c.contact.coupling && document.find("contact.coupling"))
-        refuse(document, "contact.coupling", rule, "omit it");
+    const std::string rule = "in a hole bodies are pressed alone";
     if (c.rolling)
         refuse(document, used(document, "rolling.amplitude_ratio", "rolling.amplitude"), rule,
                "leave [rolling] out");
     if (c.tractive_rolling)
         refuse(document, "tractive_rolling.distance", rule, "leave [tractive_rolling] out");
-    if (says_path(document)) refuse(document, path_key(document), rule, "leave the path out");
+    if (says_path(document) && !c.contact.coupling)
+        refuse(document, path_key(document), rule + ", without friction the same at any time",
+               "leave the path out, or set contact.coupling = true for one of normal forces");
     if (document.find_section("record") || document.find_section("measurement") ||
         document.find_section("design"))
         refuse(document, "substrate.shape", "experiments are about flat substrates",

@@ -210,9 +210,12 @@ void check_bulk_stress(const Case& c, const Document& document) {
     for (const std::string& model : c.models)
         if (!strains_freely(contact::model_kind(model)))
             refuse(document, key,
-                   what +
-                       "models on the surface of a half-space alone, bem, know a substrate that "
-                       "is strained as a whole",
+                   what + (contact::model_kind(model).is_layer()
+                               ? "a layer strains along its surface as the base that it is bonded "
+                                 "to, and by no stress of its own; bem has the strain of a "
+                                 "half-space"
+                               : "models on the surface of a half-space alone, bem, know a "
+                                 "substrate that is strained as a whole"),
                    "leave out " + model + ", or omit it");
     if (c.rolling || c.tractive_rolling)
         refuse(document, key, "a bulk stress acts on a contact that stays in its place",

@@ -123,11 +123,16 @@ void check_known_of_rig(const Document& document, const KeyList& all,
     correlations(document, uncertain_keys(document, all));
 }
 
+Document read_rig_document(const std::string& path, const std::vector<std::string>& overrides) {
+    Document document = case_document(read_input_file(path), path, overrides);
+    check_known_of_rig(document, case_file_keys(), rolling_rig_keys());
+    return document;
+}
+
 Document read_rig_document(const std::string& path, const std::vector<std::string>& overrides,
                            std::string_view section, const std::string& missing,
                            const std::string& remedy) {
-    Document document = case_document(read_input_file(path), path, overrides);
-    check_known_of_rig(document, case_file_keys(), rolling_rig_keys());
+    Document document = read_rig_document(path, overrides);
     if (!document.find_section(section))
         fail(path + ":1:1", "", "missing section [" + std::string(section) + "]: " + missing,
              remedy);

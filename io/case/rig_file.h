@@ -48,6 +48,7 @@ void check_known_of_rig(const Document& document, const KeyList& all,
 /// A case file with overrides, its names and the keys of its rig checked: for commands that do
 /// without some of the case. Throws contact::InputError, also where `section` is missing:
 /// "<missing>; <remedy>".
+Document read_rig_document(const std::string& path, const std::vector<std::string>& overrides);
 Document read_rig_document(const std::string& path, const std::vector<std::string>& overrides,
                            std::string_view section, const std::string& missing,
                            const std::string& remedy);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "contact/bodies/body_shapes.h"
 #include "fem/settings.h"
 #include "io/case/case_checks.h"
@@ -83,6 +85,27 @@ void check_rolling_section(const Case& c, const Document& document, const Refusa
         refuse_key(path_key(document), rule + "path", "leave it out, or take bem or fem");
 }
 
+// In a hole the pin is pressed along z: friction acts along the arc, and what pulls the pin aside
+// turns the contact about the hole, which is pressed along another direction then.
+void check_friction_in_hole(const Case& c, const Document& document, const Refusal& refuse_key) {
+    if (!c.contact.coupling) return;
+    if (!c.friction.is_coulomb() || c.friction.map)
+        refuse_key("contact.coupling",
+                   "knows Coulomb's friction alone in a hole, the same all over",
+                   "set it to false, or give friction.coefficient alone");
+    if (c.interface.is_elastic())
+        refuse_key("contact.coupling", "has no springs between surfaces with friction in a hole",
+                   "set it to false, or omit [interface]");
+    if (!c.prescribed_path) return;
+    const contact::Vector2 reach = c.prescribed_path->reach();
+    const bool pulled = std::ranges::any_of(c.prescribed_path->rows, [](const auto& row) {
+        return row.tangential[0].value != 0 || row.tangential[1].value != 0;
+    });
+    if (reach[0] > 0 || reach[1] > 0 || pulled || c.prescribed_path->twists())
+        refuse_key(path_key(document), "presses a pin in its hole along one direction",
+                   "leave offsets, shifts, rotations and loads along the surface out");
+}
+
 void check_plane_strain(const ModelKind& kind, const Case& c, const Document& document,
                         const Refusal& refuse_key) {
     if (c.indenter.is_punch() && !c.is_line_contact())
@@ -94,6 +117,10 @@ void check_plane_strain(const ModelKind& kind, const Case& c, const Document& do
     if (c.layer.base == Case::Base::frictionless)
         refuse_key("substrate.base", "has nothing that holds a layer which glides",
                    "take base = \"bonded\"");
+    if (c.has_hole()) {
+        check_friction_in_hole(c, document, refuse_key);
+        return;
+    }
     if (!c.indenter.body) return;
     if (is_cylinder_on_hub(*c.indenter.body))
         check_rolling_on_hub(kind.name, c, document);

@@ -51,6 +51,7 @@ class JournalledModel final : public contact::Model {
         return model_->contact_states();
     }
     double limit_tangential_ratio() const override { return model_->limit_tangential_ratio(); }
+    std::optional<contact::PullOff> pull_off() const override { return model_->pull_off(); }
     std::unique_ptr<const contact::Interior> interior() override { return model_->interior(); }
     /// Of the model alone: what it does is in no journal.
     std::unique_ptr<contact::Model> sibling(const contact::Case::Contact& options) const override {

@@ -7,12 +7,34 @@ namespace tricontact::io {
 
 namespace {
 
+/// Whether the surfaces touch. Those that attract each other do where the part q = p + s of the
+/// traction presses: the crack of a range 0 lies in the ring of tension around that.
+bool touches(const contact::Surface& s, std::size_t i) {
+    return s.tension.empty() ? s.contact_state[i] != contact::ContactState::open
+                             : s.normal_traction[i] + s.tension[i] > 0;
+}
+
 /// 0 where the surface touches: what solvers leave there is their residual.
 std::vector<double> told_gap(const contact::Surface& s) {
     std::vector<double> gap = s.gap;
     for (std::size_t i = 0; i < std::min(gap.size(), s.contact_state.size()); ++i)
-        if (s.contact_state[i] != contact::ContactState::open) gap[i] = 0;
+        if (touches(s, i)) gap[i] = 0;
     return gap;
+}
+
+/// 0 apart, 1 attracted across a gap, 2 touching.
+std::vector<std::uint8_t> states_of_attraction(const contact::Surface& s) {
+    std::vector<std::uint8_t> states(s.tension.size());
+    for (std::size_t i = 0; i < states.size(); ++i)
+        states[i] = touches(s, i) ? 2 : s.tension[i] > 0;
+    return states;
+}
+
+void add_attraction(ExodusFields& out, const contact::Surface& s) {
+    if (s.tension.empty()) return;
+    out.add_scalar("tension_Pa", s.tension, s.size());
+    out.add_scalar("separation_work_J_per_m2", s.separation_work, s.size());
+    out.add_bytes("attraction_state", states_of_attraction(s), s.size());
 }
 
 /// What some layouts have beside.
@@ -45,6 +67,7 @@ void add_surface_fields(ExodusFields& out, const contact::Surface& s) {
     out.add_bytes(
         "contact_state",
         {reinterpret_cast<const std::uint8_t*>(s.contact_state.data()), s.contact_state.size()}, n);
+    add_attraction(out, s);
     add_layout_fields(out, s);
 }
 

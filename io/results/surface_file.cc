@@ -122,6 +122,8 @@ Surface read_surface_file(const std::string& path, int state) {
     const auto field = [&](const char* name) { return states.field(name, s.size(), record); };
     s.normal_traction = field("normal_traction_Pa");
     if (s.normal_traction.empty()) states.reader().refuse("has no normal_traction_Pa");
+    s.tension = field("tension_Pa");
+    s.separation_work = field("separation_work_J_per_m2");
     s.tangential_traction_x = field("tangential_traction_Pa_x");
     s.tangential_traction_y = field("tangential_traction_Pa_y");
     s.friction_bound = field("friction_bound_Pa");

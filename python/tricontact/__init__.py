@@ -37,6 +37,7 @@ from .commands import (
     refine,
     reproduce,
     rig,
+    wear,
 )
 from .labelled import Surfaces
 from .opening import open
@@ -89,4 +90,5 @@ __all__ = [
     "sweep",
     "theory",
     "walk",
+    "wear",
 ]

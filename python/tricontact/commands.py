@@ -14,7 +14,8 @@ from pathlib import Path
 from typing import Any, Literal, Optional, Sequence, Union
 
 from . import _core, _toml
-from .inputs import Input, Overrides, StrPath, StudyInput, file_of, merged, study_folder
+from ._core import Case, InputError
+from .inputs import Input, Overrides, StrPath, StudyInput, case_of, file_of, merged, study_folder
 from .outcome import Outcome, read_outcome
 from .progress import Progress, display
 
@@ -58,13 +59,39 @@ def _call(
     output: Optional[StrPath],
     progress: Progress,
     further: Sequence[str] = (),
+    tables_in: str = "*.csv",
     **options: Any,
 ) -> Outcome:
     with tempfile.TemporaryDirectory(prefix="tricontact-") as temporary:
         folder = Path(temporary) / "results" if output is None else Path(os.fspath(output))
         options["output"] = str(folder)
         text = _printed(name, given, overrides, progress, options, further)
-        return read_outcome(name, folder, text, keep=output is not None)
+        return read_outcome(name, folder, text, keep=output is not None, tables_in=tables_in)
+
+
+def wear(
+    case: Input,
+    *,
+    overrides: Overrides = None,
+    models: Optional[Sequence[str]] = None,
+    threads: Optional[int] = None,
+    studies: bool = True,
+    output: Optional[StrPath] = None,
+    export: Optional[StrPath] = None,
+    progress: Progress = None,
+    **keys: Any,
+) -> Outcome:
+    """The contact of a case with [wear] over its cycles: outcome.table("bem/wear") has a row per
+    worn state, outcome.table("bem/profiles") what stands along x in some of them.
+
+    studies: also what cells of twice the size change. With `output` a run that was ended goes on
+    from its last state.
+    """
+    changed = merged(overrides, keys)
+    if "\n[wear]\n" not in case_of(Case, case, changed).to_toml():
+        raise InputError("case: without [wear] nothing wears; tricontact.run computes such a case")
+    return _call("run", case, changed, output, progress, tables_in="*/*.csv", models=models, threads=threads,
+                 no_studies=not studies, export=export)
 
 
 def limit(

@@ -108,12 +108,14 @@ class Outcome(Mapping[str, Any]):
         return "".join(parts)
 
 
-def read_outcome(command: str, folder: Path, text: str, keep: bool) -> Outcome:
-    """What a command has written into a folder."""
+def read_outcome(command: str, folder: Path, text: str, keep: bool, tables_in: str = "*.csv") -> Outcome:
+    """What a command has written into a folder; tables by their paths from there."""
     numbers: dict[str, Any] = {}
     for path in sorted(folder.glob("*.json")):
         numbers.update(json.loads(path.read_text(encoding="utf-8")))
-    tables = {path.stem: read_table(path) for path in sorted(folder.glob("*.csv"))}
+    tables = {
+        path.relative_to(folder).with_suffix("").as_posix(): read_table(path) for path in sorted(folder.glob(tables_in))
+    }
     return Outcome(command, numbers, tables, text, page_of(folder), folder if keep else None)
 
 

@@ -88,6 +88,24 @@ def test_rig_and_design(examples):
     assert len(design) > 0 and design.text
 
 
+def test_wear(examples, rig):
+    case = examples / "cases" / "fretting_wear.toml"
+    worn = tricontact.wear(case, models=["mdr"], studies=False, wear__cycles=500, mdr__springs=400)
+    states = worn.table("mdr/wear")
+    assert states["cycles"][0] == 0 and states["cycles"][-1] == 500
+    # Archard's law under Coulomb's: worn volume k_w times friction's work over mu, to the order of 400 springs.
+    inputs = tricontact.Case.from_file(case).to_dict()
+    k, unit = inputs["wear"]["coefficient"].split(maxsplit=1)
+    assert unit == "m2/N"
+    expected = float(k) * worn["mdr"]["wear_work_J"] / inputs["friction"]["coefficient"]
+    assert worn["mdr"]["worn_volume_m3"] == pytest.approx(expected, rel=1e-4)
+    assert len(worn.table("mdr/profiles")["r_m"]) > 10
+    with pytest.raises(tricontact.InputError, match="tricontact.wear"):
+        tricontact.run(case)
+    with pytest.raises(tricontact.InputError, match="without .wear. nothing wears"):
+        tricontact.wear(rig)
+
+
 def test_identify_and_predict(examples, rig):
     found = tricontact.identify(examples / "measurements" / "rig_indentation.toml")
     assert "layer" in found.text

@@ -18,6 +18,11 @@ void require_above_zero_of_maugis(double value, const char* what) {
 
 }  // namespace
 
+MaugisUnits maugis_units(double radius, double work, double modulus) {
+    const double k = 4. / 3 * modulus, a = std::cbrt(std::numbers::pi * work * radius * radius / k);
+    return {.radius = a, .force = std::numbers::pi * work * radius, .indentation = a * a / radius};
+}
+
 // With t = sqrt(m^2 - 1), which is known to full precision near m = 1: m - 1 = t^2/(m + 1) and
 //   lambda A^2/2 [t + (m^2 - 2) atan t] + 4/3 lambda^2 A [t atan t - (m - 1)] = 1.
 MaugisContact maugis_contact(double lambda, double radius) {

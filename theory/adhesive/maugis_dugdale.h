@@ -14,6 +14,12 @@ struct MaugisContact {
     double indentation;  ///< D [-]
 };
 
+/// What A, P and D are multiples of: a [m], F [N], d [m].
+struct MaugisUnits {
+    double radius, force, indentation;
+};
+MaugisUnits maugis_units(double radius, double work, double modulus);
+
 /// Of the radius A > 0 at lambda > 0, his eq. 6.16 to 6.18. Throws std::domain_error.
 MaugisContact maugis_contact(double lambda, double radius);
 

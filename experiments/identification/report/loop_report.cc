@@ -41,12 +41,6 @@ std::string cycles_text(double first, double last) {
                          : fmt::format("cycles {:.0f} to {:.0f}", first, last);
 }
 
-std::string place_of(const LoopSeries& series) {
-    return fmt::format(
-        "{}, F_N = {}, amplitude {}", cycles_text(series.first_cycle, series.last_cycle),
-        report::quantity(series.normal_force, "N", 3), report::quantity(series.shift, "m", 3));
-}
-
 /// What separates the regime from the next one.
 std::string reason_of(const LoopSeries& series) {
     if (series.regime == "stick")
@@ -61,9 +55,9 @@ Verdict regime_verdict(const LoopSeries& series) {
     const bool is_sure = series.confidence >= sure;
     return {is_sure ? finding : not_resolved,
             fmt::format("Regime ({}): {}{}, confidence {}; {}. Energy per cycle {}.",
-                        place_of(series), is_sure ? "" : "most likely ", words_of(series.regime),
-                        report::share(std::max(0., series.confidence), 3), reason_of(series),
-                        range_text(series.energy, "J"))};
+                        loop_series_text(series), is_sure ? "" : "most likely ",
+                        words_of(series.regime), report::share(std::max(0., series.confidence), 3),
+                        reason_of(series), range_text(series.energy, "J"))};
 }
 
 std::vector<Verdict> drift_verdicts(const IdentifiedModel& model, const LoopFindings& findings) {
@@ -90,6 +84,18 @@ std::vector<Verdict> drift_verdicts(const IdentifiedModel& model, const LoopFind
                                 over, numbers)}};
 }
 
+/// Where it is resolved.
+std::optional<Verdict> stiffness_verdict(const LoopSeries& series) {
+    const auto& drift = series.stiffness_drift;
+    if (!drift || (drift->low <= 0 && drift->high >= 0)) return {};
+    const double over = 100 * (series.last_cycle - series.first_cycle);
+    return Verdict{finding, fmt::format("The initial stiffness drifts ({}): {:+.2g} % of its mean "
+                                        "({:+.2g} % to {:+.2g} %). E or k_rig change, or the "
+                                        "contact grows.",
+                                        loop_series_text(series), over * drift->value,
+                                        over * drift->low, over * drift->high)};
+}
+
 report::Cell open_cell(double value, double unit = 1) {
     return std::isfinite(value) ? report::Cell(value / unit) : report::Cell("open");
 }
@@ -109,20 +115,27 @@ report::DocumentTable series_table(const LoopFindings& findings) {
             "recorded loop is closed to {} of 4 F U without the rig's share; gross slip, all "
             "slides; mixed, some cycles slide as a whole. Energy ratio: energy over 4 F U (Fouvry, "
             "Kapsa and Vincent 1996), the largest. Drift of the shift: of where it counts from, "
-            "with its interval.",
+            "with its interval; of the initial stiffness, contact and rig in series: over its "
+            "mean.",
             report::share(closed_loop_ratio)),
         .columns =
             report::columns("cycles", "F_N [N]", "amplitude [um]:3", "regime", "confidence:3",
                             "energy per cycle [uJ]:4", "low:4", "high:4", "energy ratio:3",
-                            "drift of the shift [um/cycle]:2", "from:2", "to:2")};
+                            "drift of the shift [um/cycle]:2", "from:2", "to:2",
+                            "drift of the initial stiffness [%/cycle]:2", "from:2", "to:2")};
     for (const LoopSeries& s : findings.series) {
-        const auto drift = s.shift_drift;
-        table.rows.push_back({cycles_text(s.first_cycle, s.last_cycle), s.normal_force,
-                              s.shift * 1e6, words_of(s.regime), s.confidence, s.energy.value * 1e6,
-                              s.energy.low * 1e6, s.energy.high * 1e6, s.largest_ratio,
-                              drift ? report::Cell(drift->value * 1e6) : report::Cell("–"),
-                              drift ? report::Cell(drift->low * 1e6) : report::Cell("–"),
-                              drift ? report::Cell(drift->high * 1e6) : report::Cell("–")});
+        const auto drift = s.shift_drift, stiffer = s.stiffness_drift;
+        const auto cell = [](const std::optional<Estimate>& of, double Estimate::*end,
+                             double unit) {
+            return of ? report::Cell((*of).*end * unit) : report::Cell("–");
+        };
+        table.rows.push_back(
+            {cycles_text(s.first_cycle, s.last_cycle), s.normal_force, s.shift * 1e6,
+             words_of(s.regime), s.confidence, s.energy.value * 1e6, s.energy.low * 1e6,
+             s.energy.high * 1e6, s.largest_ratio, cell(drift, &Estimate::value, 1e6),
+             cell(drift, &Estimate::low, 1e6), cell(drift, &Estimate::high, 1e6),
+             cell(stiffer, &Estimate::value, 100), cell(stiffer, &Estimate::low, 100),
+             cell(stiffer, &Estimate::high, 100)});
     }
     return table;
 }
@@ -147,6 +160,12 @@ report::DocumentTable block_table(const LoopFindings& findings) {
 
 }  // namespace
 
+std::string loop_series_text(const LoopSeries& series) {
+    return fmt::format(
+        "{}, F_N = {}, amplitude {}", cycles_text(series.first_cycle, series.last_cycle),
+        report::quantity(series.normal_force, "N", 3), report::quantity(series.shift, "m", 3));
+}
+
 std::vector<Verdict> loop_verdicts(const IdentificationStudy& study) {
     if (!study.loops) return {};
     const LoopFindings& findings = *study.loops;
@@ -158,6 +177,9 @@ std::vector<Verdict> loop_verdicts(const IdentificationStudy& study) {
                                                  findings.series.size() - most_told)});
     std::ranges::move(drift_verdicts(reference_model(study), findings),
                       std::back_inserter(verdicts));
+    for (std::size_t i = 0; i < std::min(most_told, findings.series.size()); ++i)
+        if (auto verdict = stiffness_verdict(findings.series[i]))
+            verdicts.push_back(std::move(*verdict));
     return verdicts;
 }
 
@@ -256,26 +278,30 @@ json loop_json(const LoopFindings& findings) {
                  {"energy_ratio", s.largest_ratio},
                  {"friction_over_cycles", std::move(blocks)}};
         if (s.shift_drift) one["shift_drift_m_per_cycle"] = estimate_of(*s.shift_drift);
+        if (s.stiffness_drift)
+            one["initial_stiffness_drift_per_cycle"] = estimate_of(*s.stiffness_drift);
         if (s.force_drift) one["force_drift_N_per_cycle"] = estimate_of(*s.force_drift);
         result["series"].push_back(std::move(one));
     }
     for (const LoopFinding& loop : findings.loops)
-        result["loops"].push_back({{"table", loop.table + 1},
-                                   {"series", loop.series + 1},
-                                   {"cycle", loop.cycle},
-                                   {comparisons::quantities::normal_force.key, loop.normal_force},
-                                   {"shift_amplitude_m", loop.state.amplitude},
-                                   {"contact_shift_amplitude_m", loop.contact_shift},
-                                   {"sliding_shift_m", loop.sliding_shift},
-                                   {"force_amplitude_N", loop.force},
-                                   {"shift_offset_m", loop.state.centre},
-                                   {"force_offset_N", loop.state.force_offset},
-                                   {"energy_J", estimate_of(loop.energy)},
-                                   {"energy_ratio", loop.energy_ratio},
-                                   {"friction", estimate_of(loop.friction)},
-                                   {"regime", name_of(loop.regime())},
-                                   {"probability_of_stick", loop.sticks},
-                                   {"probability_of_gross_slip", loop.slides}});
+        result["loops"].push_back(
+            {{"table", loop.table + 1},
+             {"series", loop.series + 1},
+             {"cycle", loop.cycle},
+             {comparisons::quantities::normal_force.key, loop.normal_force},
+             {"shift_amplitude_m", loop.state.amplitude},
+             {"contact_shift_amplitude_m", loop.contact_shift},
+             {"sliding_shift_m", loop.sliding_shift},
+             {"force_amplitude_N", loop.force},
+             {"shift_offset_m", loop.state.centre},
+             {"force_offset_N", loop.state.force_offset},
+             {"energy_J", estimate_of(loop.energy)},
+             {"energy_ratio", loop.energy_ratio},
+             {"friction", estimate_of(loop.friction)},
+             {"initial_stiffness_N_per_m", loop.stiffness ? estimate_of(*loop.stiffness) : json()},
+             {"regime", name_of(loop.regime())},
+             {"probability_of_stick", loop.sticks},
+             {"probability_of_gross_slip", loop.slides}});
     return result;
 }
 

@@ -8,6 +8,9 @@
 
 namespace tricontact::experiments {
 
+/// "cycles 1 to 200, F_N = 300 N, amplitude 10 um".
+std::string loop_series_text(const LoopSeries& series);
+
 /// Regimes, energies and drift in sentences; empty without loops.
 std::vector<report::Verdict> loop_verdicts(const IdentificationStudy& study);
 

@@ -94,7 +94,7 @@ refused 'has friction.coefficient beside measurement.laws' 's/^models.*/models =
 only_half_space='s/^find = .*/find = ["substrate.young"]/; s/^models.*/models = ["half-space"]\n'"$laws"'/'
 refused 'measurement.laws names the laws whose numbers are found; omit it' \
     "$only_half_space"'; s/^\[load\]/[friction]\ncoefficient = 0.5\n[load]/'
-refused 'no table has friction; add static_shift or sliding_force' "$only_half_space; s/^static_shift/force_indentation/" \
+refused 'no table has friction; add static_shift, sliding_force or friction_loop' "$only_half_space; s/^static_shift/force_indentation/" \
     'indentation [um], normal_force [N]\n100, 2\n200, 7\n300, 13\n'
 refused '3 rows do not determine 3 values' \
     's/^find = .*/find = ["substrate.young"]/; s/^models.*/models = ["half-space"]\nlaws = ["power"]/' \

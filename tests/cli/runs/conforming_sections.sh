@@ -87,7 +87,8 @@ refuses "has a flat substrate" --set 'models=["bem"]'
 refuses "has a flat substrate" --set 'models=["fem-axisymmetric"]'
 refuses "load.tangential_ratio" --set load.tangential_ratio=0.3
 refuses "rolling.amplitude" --set "rolling.amplitude=0.1 mm"
-refuses "contact.coupling" --set contact.coupling=true
+refuses "Coulomb's friction alone in a hole" --set contact.coupling=true --set "friction.strength_limit=1 MPa"
+refuses "load.tangential_ratio" --set contact.coupling=true --set load.tangential_ratio=0.3
 refuses "a hole along y takes a cylinder" --set indenter.shape=roller
 refuses "take body = \"pin\"" --set indenter.body=cylinder
 refused "the formulas of rigs" rig "$work/rigid_pin.toml" --output out

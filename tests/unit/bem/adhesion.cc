@@ -15,6 +15,7 @@
 #include "contact/cells.h"
 #include "contact/larger_grids.h"
 #include "contact/run.h"
+#include "tests/unit/adhesive_ball.h"
 #include "theory/adhesive/adhesive_curve.h"
 #include "theory/adhesive/adhesive_layer.h"
 #include "theory/adhesive/maugis_dugdale.h"
@@ -23,37 +24,18 @@ namespace tricontact::bem_adhesion_test {
 namespace {
 
 using contact::Adhesion;
-using contact::Case;
 using contact::NormalControl;
 using std::numbers::pi;
 
-/// A paraboloid in the units of Maugis: of forces pi w R, of depths (pi^2 w^2 R/K^2)^(1/3), of
-/// radii (pi w R^2/K)^(1/3), K = 4/3 E*.
-struct Ball {
-    double R = .01, w = .05;
-    Case c;
-
-    /// `lambda` 0: no range. Cells per unit of the radius.
-    Ball(double lambda, double cells, double deepest = 2) {
-        c.indenter.radius = R;
-        c.substrate = {1e6, .4};
-        c.contact.coupling = false;
-        c.load.indentation = deepest * depth();
-        c.load.tangential_ratio = 0;
+struct Ball : test::AdhesiveBall {
+    /// Cells per unit of the radius.
+    Ball(double lambda, double cells, double deepest = 2) : AdhesiveBall(lambda, deepest) {
         c.of<contact::Cells>().spacing = radius() / cells;
-        c.adhesion = Adhesion{.work = w};
-        if (lambda > 0) c.adhesion->peak_stress = lambda / 2 * std::cbrt(pi * w * K() * K() / R);
     }
-    double K() const { return 4. / 3 * c.materials().effective_modulus(); }
-    double radius() const { return std::cbrt(pi * w * R * R / K()); }
-    double depth() const { return radius() * radius() / R; }
-    double force() const { return pi * w * R; }
 };
 
 contact::StepRecord at(contact::Model& model, const Ball& ball, double depth) {
-    contact::LoadStep step;
-    step.normal = {NormalControl::Kind::indentation, depth * ball.depth()};
-    return model.advance(step);
+    return ball.press(model, depth);
 }
 
 /// On the outer branch, whose depth rises with the radius.

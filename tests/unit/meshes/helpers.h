@@ -138,6 +138,34 @@ inline void expect_same_elements(const HexMesh& a, const HexMesh& b, double tole
     EXPECT_EQ(sorted(a, numbers), sorted(b, all_of_b));
 }
 
+/// x and y of the nodes that touch.
+inline std::set<std::array<double, 2>> patch_nodes(const HexMesh& mesh) {
+    std::set<std::array<double, 2>> nodes;
+    for (const auto& face : mesh.faces)
+        if (face.boundary == Boundary::contact)
+            for (const int n : face.nodes) nodes.insert({mesh.nodes[n][0], mesh.nodes[n][1]});
+    return nodes;
+}
+
+/// Every face of one hexahedron only is named, once, and no hexahedron is inverted.
+inline void expect_sound(const HexMesh& mesh) {
+    const FaceTable table(mesh);
+    std::size_t n_outside = 0;
+    for (std::size_t f = 0; f < table.n_faces(); ++f) {
+        ASSERT_LE(table.sides(f).size(), 2);
+        n_outside += table.sides(f).size() == 1;
+    }
+    EXPECT_EQ(mesh.faces.size(), n_outside);
+    std::set<std::size_t> named;
+    for (const auto& face : mesh.faces) {
+        const std::size_t at = table.find(face.nodes);
+        ASSERT_LT(at, table.n_faces());
+        EXPECT_EQ(table.sides(at).size(), 1);
+        EXPECT_TRUE(named.insert(at).second);
+    }
+    for (const auto& hex : mesh.hexes) EXPECT_GT(least_jacobian(corners_of(mesh, hex)), 0);
+}
+
 inline double largest_distance(const HexMesh& a, const HexMesh& b) {
     double largest = 0;
     for (std::size_t i = 0; i < a.nodes.size(); ++i)

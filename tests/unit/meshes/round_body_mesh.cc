@@ -21,14 +21,6 @@ HalfBallMeshSpec ball(double patch, double size, bool half) {
             .half_model = half};
 }
 
-std::set<std::array<double, 2>> patch_nodes(const HexMesh& mesh) {
-    std::set<std::array<double, 2>> nodes;
-    for (const auto& face : mesh.faces)
-        if (face.boundary == Boundary::contact)
-            for (const int n : face.nodes) nodes.insert({mesh.nodes[n][0], mesh.nodes[n][1]});
-    return nodes;
-}
-
 /// Area seen along z, positive where the outside is above.
 double shadow(const HexMesh& mesh, Boundary boundary) {
     double sum = 0;
@@ -40,25 +32,6 @@ double shadow(const HexMesh& mesh, Boundary boundary) {
                2;
     }
     return sum;
-}
-
-// Every face of one hexahedron only is named, once, and no hexahedron is inverted.
-void expect_sound(const HexMesh& mesh) {
-    const FaceTable table(mesh);
-    std::size_t n_outside = 0;
-    for (std::size_t f = 0; f < table.n_faces(); ++f) {
-        ASSERT_LE(table.sides(f).size(), 2);
-        n_outside += table.sides(f).size() == 1;
-    }
-    EXPECT_EQ(mesh.faces.size(), n_outside);
-    std::set<std::size_t> named;
-    for (const auto& face : mesh.faces) {
-        const std::size_t at = table.find(face.nodes);
-        ASSERT_LT(at, table.n_faces());
-        EXPECT_EQ(table.sides(at).size(), 1);
-        EXPECT_TRUE(named.insert(at).second);
-    }
-    for (const auto& hex : mesh.hexes) EXPECT_GT(least_jacobian(corners_of(mesh, hex)), 0);
 }
 
 LayerMeshSpec layer_below(double size, double patch, bool half) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fem/case/section_model.h"
 #include "tests/verification/fem/rig.h"
 
 namespace tricontact::fem::indenter_bodies_test {
@@ -56,6 +57,37 @@ TEST(FemIndenterBodies, ABallBetweenPlatesReachesTheReference) {
     EXPECT_NEAR(press(*model, c).normal_force / 11.2588, 1, .003);
     EXPECT_NEAR(model->scales().contact_radius / 3.3257e-3, 1, .01);
     EXPECT_NEAR(model->scales().peak_pressure / .47591e6, 1, .01);
+}
+
+double force_by_section(Case c) {
+    c.of<fem::Settings>().size.reset();
+    const auto& kind = contact::model_kind(contact::models::fem_axisymmetric);
+    return press(*make_section_model(kind, c, nullptr), c).normal_force;
+}
+
+// Beside sections, which have nothing of these meshes: 3 elements in the contact radius, .3 %. A
+// ball on a hub by FreeFem++ with its contact by mortar: .30643 N. The circle of a punch has
+// chords, so that its faces are smaller: on elements of half the size it is right to 3e-4.
+TEST(FemIndenterBodies, BodiesInLayersHaveTheForceOfTheirSections) {
+    Case c = hemisphere_case(.3, 1e-4);
+    c.of<fem::Settings>().size = 1e-3 / 3;
+    c.indenter.body = ElasticBody{ElasticBody::Form::ball, ElasticBody::Support::hub, 3e-3};
+    const double ball = press(*make_layer_model(c), c).normal_force;
+    EXPECT_NEAR(ball / .30643, 1, .003);
+    EXPECT_NEAR(ball / force_by_section(c), 1, .003);
+    // Its flat face is free: nothing but the contact holds it.
+    c.indenter.body = ElasticBody{ElasticBody::Form::hemisphere, ElasticBody::Support::pressure};
+    const double pressed = press(*make_layer_model(c), c).normal_force;
+    EXPECT_NEAR(pressed / force_by_section(c), 1, .003);
+    EXPECT_LT(pressed, .995 * .31530);  // on a holder
+    c.indenter.shape = Case::Shape::rounded_punch;
+    c.indenter.flat_radius = 2e-3;
+    c.of<fem::Settings>().size = .8e-3;
+    for (const auto support : {ElasticBody::Support::holder, ElasticBody::Support::pressure}) {
+        c.indenter.body = ElasticBody{ElasticBody::Form::punch, support};
+        c.indenter.body->height = 8e-3;
+        EXPECT_NEAR(press(*make_layer_model(c), c).normal_force / force_by_section(c), 1, .012);
+    }
 }
 
 // Spence (1968, 1975): pressed monotonically with mu = .2 and nu = .3, the part within .698 a

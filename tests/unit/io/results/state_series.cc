@@ -114,6 +114,27 @@ TEST_F(States, LinesRowsAndNodesReadBackExactly) {
     expect_same(grid->GetPointData(), nodes_of(0));
 }
 
+/// What touches is pressed by p + s > 0; a gap that the tension bridges is told as it is, whatever
+/// part of the point counts as in contact.
+TEST_F(States, AttractedSurfacesHaveTensionAndState) {
+    Surface s = surface_of(Surface::Layout::grid, 2, 2);
+    s.normal_traction = {3e3, -2e3, -1e3, 0};
+    s.tension = {2e3, 2e3, 1e3, 0};
+    s.separation_work = {0, .01, .03, .05};
+    StateSeries out = states("surface");
+    out.add(0, s);
+    vtkPointData* data = read("surface.ex2", 0)->GetPointData();
+    expect_scalar(data, "tension_Pa", s.tension);
+    expect_scalar(data, "separation_work_J_per_m2", s.separation_work);
+    expect_scalar(data, "attraction_state", {2, 1, 1, 0});
+    expect_scalar(data, "gap_m", {0, s.gap[1], s.gap[2], s.gap[3]});
+    const Surface saved = read_surface_file(at("surface.ex2"), last_state);
+    EXPECT_EQ(saved.tension, s.tension);
+    EXPECT_EQ(saved.separation_work[2], in_file(.03));
+    out.add(1, surface_of(Surface::Layout::grid, 2, 2));
+    EXPECT_EQ(read("surface.ex2", 1)->GetPointData()->GetArray("tension_Pa")->GetTuple1(0), 0);
+}
+
 /// Fields that begin later are 0 before, and the earlier states stay as they were.
 TEST_F(States, FieldsMayBeginLater) {
     StateSeries out = states("surface");
