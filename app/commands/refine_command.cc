@@ -91,9 +91,10 @@ class LevelKind : public studies::PointKind {
     std::vector<studies::Level> levels_;
 };
 
-/// Empty where no closed form has the contact, as on the springs of an elastic interface.
+/// Empty where no closed form has the contact, as on the springs of an elastic interface; those of
+/// surfaces that attract each other are none of Hertz' kind.
 std::optional<comparisons::PressedValues> theory_of(const Case& c, bool layer) {
-    if (c.interface.is_elastic()) return {};
+    if (c.interface.is_elastic() || c.adhesion) return {};
     if (!layer) {
         const bool exact = c.indenter.shape == Case::Shape::paraboloid ||
                            c.indenter.shape == Case::Shape::power_law || c.is_line_contact();

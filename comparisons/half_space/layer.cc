@@ -114,6 +114,8 @@ std::string why_no_exact_theory(const Case& c) {
     if (!c.layer.lower.empty()) return "the exact theory covers one layer, the case has more";
     if (c.layer.base == Case::Base::half_space)
         return "the exact theory covers a rigid ground, that of the case is elastic";
+    if (c.adhesion)
+        return "the exact theory has surfaces that do not attract each other, those of the case do";
     if (c.interface.is_elastic())
         return "the exact theory takes the interface as rigid, that of the case has springs";
     if (c.period) return "the exact theory covers one indenter, the case has one in each period";

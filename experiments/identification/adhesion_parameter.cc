@@ -80,12 +80,20 @@ void check_adhesive_tables(const Input& input, const std::vector<std::string>& f
             refuse("adhesion on a layer is that of a known nu",
                    "leave out substrate.poisson, or the model " + model);
     }
-    for (const char* key : {"adhesion.range", "adhesion.peak_stress"})
-        if (document.find(key))
-            io::refuse(document, key,
-                       "force curves are evaluated by Johnson, Kendall and Roberts' theory, whose "
-                       "range is 0",
-                       "omit it; tricontact check states whether the theory applies");
+    if (document.find("adhesion.range") || document.find("adhesion.peak_stress")) {
+        const char* const key =
+            document.find("adhesion.range") ? "adhesion.range" : "adhesion.peak_stress";
+        if (has_approach)
+            io::refuse(document, key, "with a range one work of adhesion is known",
+                       "omit it, or leave out " + std::string(approach_key));
+        if (document.find("adhesion.law"))
+            io::refuse(document, "adhesion.law",
+                       "curves with a range are Maugis', of Dugdale's constant stress", "omit it");
+        for (const std::string& model : input.models)
+            if (io::measurement_model(model).is_layer)
+                io::refuse(document, key, "a range is known on the half-space alone",
+                           "leave out the model " + model + ", or omit it");
+    }
     if (!input.laws.empty())
         io::refuse(document, "measurement.laws",
                    "laws of friction are compared without adhesion: under tension only tau_0 holds",

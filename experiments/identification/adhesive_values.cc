@@ -8,6 +8,7 @@
 
 #include "comparisons/half_space/layer.h"
 #include "contact/base/error.h"
+#include "experiments/identification/adhesion/maugis_curve.h"
 
 namespace tricontact::experiments {
 
@@ -28,6 +29,15 @@ bool is_in_contact(AdhesiveWay way) {
 
 bool is_pulled(AdhesiveWay way) {
     return way == AdhesiveWay::held || way == AdhesiveWay::separation;
+}
+
+/// So that it differs from none: below it, lambda is above 1e3 and the contact that of Johnson,
+/// Kendall and Roberts.
+bool has_range(const Case& rig) {
+    constexpr double largest_lambda = 1e3;
+    const double range = rig.adhesion->distance();
+    return range > MaugisCurve::range_of(largest_lambda, rig.indenter.radius,
+                                         rig.materials().effective_modulus(), rig.adhesion->work);
 }
 
 /// w_a is found as a share of w, and stated by itself.
@@ -95,7 +105,9 @@ std::vector<double> radii(AdhesiveCurve curve, const std::vector<double>& forces
 
 RigDiscs::RigDiscs(const Case& rig, bool on_layer, double step) {
     if (!on_layer) return;
-    const std::string why = comparisons::why_no_exact_theory(rig);
+    Case plain = rig;
+    plain.adhesion.reset();
+    const std::string why = comparisons::why_no_exact_theory(plain);
     if (!why.empty()) throw contact::InputError("adhesion on a layer: " + why);
     table_ = std::make_shared<theory::DiscTable>(
         comparisons::elastic_layer(rig), rig.make_axisymmetric_indenter(), disc_scale(rig), step);
@@ -139,9 +151,44 @@ theory::AdhesiveHysteresis RigDiscs::hysteresis(const Case& rig) const {
             beside_rim * body->outer_radius()};
 }
 
+namespace {
+
+/// Of a range above 0, under which a paraboloid is Maugis' contact.
+std::vector<double> values_with_range(const Table& table, const IdentifiedRig& rig,
+                                      const std::vector<double>& given) {
+    using enum IdentificationInput::Measurement;
+    const Case& c = rig.as_case;
+    MaugisCurve curve(c.indenter.radius, c.materials().effective_modulus(), c.adhesion->work,
+                      c.adhesion->distance());
+    std::vector<double> all;
+    if (table.measurement != force_indentation) {
+        const double strength =
+            table.measurement == sliding_force ? c.friction.shear_strength.value() : 0;
+        for (const double force : given) {
+            const double a = curve.radius_under(force);
+            all.push_back(strength > 0 ? strength * std::numbers::pi * a * a : a);
+        }
+        return all;
+    }
+    const double zero = table.has_free_zero ? rig.zero_depths.at(table.place) : 0;
+    const bool are_rows = given.size() == table.ways.size();
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const AdhesiveWay way = are_rows ? table.ways[i] : AdhesiveWay::separation;
+        const double depth = given[i] - zero;
+        const bool is_apart = way == AdhesiveWay::approach
+                                  ? depth < 0
+                                  : !is_in_contact(way) && depth < curve.last_indentation();
+        all.push_back(is_apart ? 0 : curve.force_at(depth));
+    }
+    return all;
+}
+
+}  // namespace
+
 std::vector<double> adhesive_values(const Table& table, const IdentifiedRig& rig,
                                     const std::vector<double>& given, const RigDiscs& discs) {
     using enum IdentificationInput::Measurement;
+    if (has_range(rig.as_case)) return values_with_range(table, rig, given);
     if (table.measurement == contact_radius) return radii(discs.curve(rig.as_case), given);
     if (table.measurement == sliding_force) {
         std::vector<double> forces = radii(discs.curve(rig.as_case), given);

@@ -1,5 +1,4 @@
 #include "experiments/identification/identification_models.h"
-#include "experiments/identification/adhesion_parameter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <optional>
 #include <variant>
 
+#include "experiments/identification/adhesion_parameter.h"
 #include "experiments/identification/adhesive_values.h"
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_tables.h"

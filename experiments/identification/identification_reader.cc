@@ -87,7 +87,9 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
     for (const Table& table : input.tables) check_lengths(table, radius, document);
     const bool has_springs =
         rig.find_section("interface") || std::ranges::any_of(find, is_stiffness);
-    const bool needs_cells = has_springs || is_cylinder(document);  // no row of mdr's
+    const bool has_range = rig.find("adhesion.range") || rig.find("adhesion.peak_stress");
+    // No rows of mdr's.
+    const bool needs_cells = has_springs || has_range || is_cylinder(document);
     std::vector<io::Entry> guesses{io::overriding("models", case_models(input, needs_cells),
                                                   document.place_of("measurement.models"))};
     const auto is_free = [&](std::string_view key) { return std::ranges::count(find, key) > 0; };

@@ -8,6 +8,7 @@
 
 #include "experiments/identification/estimation/identification.h"
 #include "experiments/identification/estimation/posterior.h"
+#include "experiments/identification/excluded_ranges.h"
 #include "experiments/identification/identification_reader.h"
 #include "experiments/identification/interface_comparison.h"
 #include "experiments/identification/law_comparison.h"
@@ -69,6 +70,7 @@ struct IdentificationStudy {
     std::optional<LawComparison> laws;
     /// Beside springs of the interface that were to be found: rigid ones.
     std::optional<InterfaceComparison> interfaces;
+    std::vector<TriedRange> ranges;     ///< see excluded_ranges()
     std::optional<LoopFindings> loops;  ///< by the reference model, where loops were measured
     /// Layer's thickness over the width of Hertz' contact for the values of the reference model.
     std::optional<double> thickness_ratio;
@@ -135,6 +137,9 @@ std::vector<report::Verdict> residual_verdicts(const IdentificationStudy& study,
 std::optional<report::Verdict> untested_independence(const IdentifiedModel& model);
 /// Parameters, or ends of their intervals, of which nothing is known.
 std::vector<report::Verdict> identifiability_verdicts(const IdentifiedModel& model);
+/// Which ranges of the attraction the rows exclude, and what w would be over the others; empty
+/// where none was tried.
+std::optional<report::Verdict> range_of_adhesion(const IdentificationStudy& study);
 /// That the rig states a work of adhesion, which the models leave out; empty without one.
 std::optional<report::Verdict> left_out_adhesion(const IdentificationStudy& study);
 /// Whether the values found are those of a short range, which their theory assumes; empty

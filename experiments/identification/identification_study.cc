@@ -1,5 +1,4 @@
 #include "experiments/identification/identification_study.h"
-#include "experiments/identification/adhesion_parameter.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +8,7 @@
 #include <tuple>
 
 #include "contact/base/error.h"
+#include "experiments/identification/adhesion_parameter.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/interface_parameters.h"
@@ -250,6 +250,8 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Identificatio
     if (input.rig.adhesion && input.rig.adhesion->approach_work)
         add(approach_key.data(), "w_a",
             report::given_quantity(*input.rig.adhesion->approach_work, "J/m2"));
+    if (input.rig.adhesion && !input.rig.adhesion->is_short_ranged())
+        add("adhesion.range", "h_0", report::given_quantity(input.rig.adhesion->distance(), "m"));
     if (!input.find(Measurement::static_shift) && !input.find(Measurement::rolling_shift))
         return settings;
     const auto* shifts = input.find(Measurement::static_shift);  // all of them state loads or none
@@ -291,6 +293,8 @@ IdentificationStudy identification_study(const IdentificationInput& said, bool d
         say(name);
         study.models.push_back(identifier.model_called(name));
     }
+    if (const auto half_space = half_space_of(study); half_space != study.models.end())
+        study.ranges = excluded_ranges(input, half_space->name, half_space->found, runner);
     if (input.find(Measurement::friction_loop)) {
         say("loops");
         const IdentifiedModel& reference = reference_model(study);

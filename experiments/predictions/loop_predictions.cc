@@ -149,9 +149,9 @@ class LoopRuns {
                 fmt::format("rig.tangential_stiffness={} N/m", 1 / rig.rig_compliance));
         if (steps) overrides.push_back(fmt::format("load.steps_per_quarter={}", *steps));
         Case c = io::read_case(case_file_, overrides);
-        using Extra = Case::Extra;
+        using enum Case::Extra;
         c.refuse_extras("predictions of loops",
-                        {Extra::elastic_interface, Extra::bulk_stress, Extra::relaxing_indenter});
+                        {elastic_interface, bulk_stress, relaxing_indenter});
         return c;
     }
 

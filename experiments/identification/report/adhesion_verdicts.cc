@@ -75,11 +75,55 @@ std::optional<Verdict> left_out_adhesion(const IdentificationStudy& study) {
         sentence + "."};
 }
 
+std::optional<Verdict> range_of_adhesion(const IdentificationStudy& study) {
+    const auto& tried = study.ranges;
+    if (tried.empty()) return {};
+    const auto text = [](const TriedRange& one) {
+        return fmt::format("{} (Tabor's parameter {})", report::quantity(one.range, "m", 2),
+                           report::significant(one.tabor, 2));
+    };
+    const auto best = std::ranges::min_element(tried, {}, &TriedRange::sum_of_squares);
+    if (best->is_better)
+        return Verdict{
+            Verdict::Standing::finding,
+            fmt::format("A range of the attraction explains these rows better than none: "
+                        "over {} the sum of squares is less by {} and w is {}; state "
+                        "adhesion.range.",
+                        text(*best),
+                        report::significant(
+                            half_space_of(study)->found.sum_of_squares - best->sum_of_squares, 2),
+                        report::quantity(best->work, "J/m2", 3))};
+    if (tried.front().is_excluded)
+        return Verdict{Verdict::Standing::finding,
+                       fmt::format("These rows exclude that the attraction has a range of {} or "
+                                   "more.",
+                                   text(tried.front()))};
+    const auto excluded = std::ranges::find(tried, true, &TriedRange::is_excluded);
+    return Verdict{
+        Verdict::Standing::not_resolved,
+        fmt::format("These rows do not tell a range of the attraction from none, up to {}: w would "
+                    "be {} then{}; state adhesion.range where it is known.",
+                    text(*(excluded - 1)), report::quantity((excluded - 1)->work, "J/m2", 3),
+                    excluded == tried.end() ? "" : ", and " + text(*excluded) + " is excluded")};
+}
+
 std::optional<Verdict> regime_of_adhesion(const IdentificationStudy& study) {
     const IdentificationInput& input = study.input;
     if (!input.rig.adhesion) return {};
     const IdentifiedModel& model = reference_model(study);
     const contact::Case c = rig_with(input, model.found.free, model.found.best()).as_case;
+    if (!c.adhesion->is_short_ranged())
+        return Verdict{
+            Verdict::Standing::finding,
+            fmt::format(
+                "The contact is that of Maugis over a range of {}, with Tabor's parameter "
+                "{}: above 5 it is that of Johnson, Kendall and Roberts, below 0.1 that of "
+                "Derjaguin, Muller and Toporov.",
+                report::quantity(c.adhesion->distance(), "m", 3),
+                report::significant(theory::tabor_parameter(c.indenter.radius, c.adhesion->work,
+                                                            c.materials().effective_modulus(),
+                                                            c.adhesion->distance()),
+                                    2))};
     constexpr double least_of_short_range = 5;
     const double tabor =
         theory::tabor_parameter(c.indenter.radius, c.adhesion->work,

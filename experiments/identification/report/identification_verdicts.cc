@@ -241,6 +241,7 @@ std::vector<Verdict> identification_verdicts(const IdentificationStudy& study) {
     if (auto verdict = untested_independence(reference)) verdicts.push_back(std::move(*verdict));
     if (auto verdict = left_out_adhesion(study)) verdicts.push_back(std::move(*verdict));
     if (auto verdict = regime_of_adhesion(study)) verdicts.push_back(std::move(*verdict));
+    if (auto verdict = range_of_adhesion(study)) verdicts.push_back(std::move(*verdict));
     if (auto verdict = fit_tells_nothing(study)) verdicts.push_back(std::move(*verdict));
     if (auto verdict = model_to_use(study)) verdicts.push_back(std::move(*verdict));
     return verdicts;

@@ -48,6 +48,10 @@ assert 1.5 < model["pull_off_force_N"] / (3.14159265 * 60e-3 * 5e-3) < 3
 assert 0 < summary["numerical_error"]["half_widths"]["pull_off_force_N"] < 1e-3 * model["pull_off_force_N"]
 PYTHON
 
+grep -q "surfaces that do not attract each other, those of the case do" layer/report.html || complain "compared with a layer without adhesion"
+"$program" refine "$case" --models mdr --output refined --quiet >text 2>&1 || complain "not refined: $(cat text)"
+grep -q "Theory (Hertz)" text && complain "refined against Hertz: $(cat text)"
+
 # 4. A force beyond pull-off ends the run, with what the contact holds.
 "$program" run "$case" --set 'path.table="normal_force [mN]\n0\n2\n-1.5"' --output lost --quiet >text 2>&1 &&
     complain "-1.5 mN holds"
