@@ -204,7 +204,7 @@ features = [
     feature("body of the indenter", "indenter.body indenter.support indenter.hub_radius indenter.height",
             "indenter.body|indenter.young|elastic indenter|rigid", {**elastic, **hemisphere},
             {**elastic, "indenter.body": '"ball"', "indenter.support": '"plates"'},
-            over_for={**pressed, "run fem-plane": on_hub},
+            over_for={**pressed, "run fem-plane": on_hub, "cache condense": pressed["run fem"]},
             other_for={"run fem-plane": {"indenter.hub_radius": '"20 mm"'}}),
     feature("mesh of the indenter", "indenter.mesh indenter.mesh_unit",
             "indenter.mesh|indenter.young|elastic indenter|rigid",
