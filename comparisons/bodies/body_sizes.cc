@@ -88,7 +88,8 @@ void require_comparable(const Case& c) {
         refuse(
             "[path]: sizes are compared under one load; give load.normal_force in place of the "
             "path");
-    c.refuse_extras("deviations from Hertz' contact", {Case::Extra::bulk_stress, Case::Extra::relaxing_indenter});
+    c.refuse_extras("deviations from Hertz' contact",
+                    {Case::Extra::bulk_stress, Case::Extra::relaxing_indenter});
     if (c.relaxation)
         refuse(
             "substrate.relaxation: deviations are those of elastic bodies; describe the relaxed "

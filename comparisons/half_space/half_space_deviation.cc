@@ -36,7 +36,8 @@ void check(const Case& c) {
             "back and forth; give load.normal_force in place of the path, or run it with the "
             "models bem and bem-layer");
     c.require_coulomb("a deviation");
-    c.refuse_extras("deviations from Hertz' contact", {Case::Extra::bulk_stress, Case::Extra::relaxing_indenter});
+    c.refuse_extras("deviations from Hertz' contact",
+                    {Case::Extra::bulk_stress, Case::Extra::relaxing_indenter});
     if (!contact::is_hertz_round(c))
         throw contact::InputError(
             "indenter.shape: deviations are those from Hertz' contact; take a paraboloid or a "

@@ -13,7 +13,7 @@ struct Adhesion {
         dugdale,     ///< sigma_0 = w/range up to the gap `range`, nothing beyond
         exponential  ///< sigma = w/range exp(-g/range)
     };
-    double work = 0;                    ///< w [J/m^2], of separation
+    double work = 0;  ///< w [J/m^2], of separation
     /// w_a [J/m^2], gained as surfaces come together, at most w; empty: w. Between both the edge of
     /// the contact stays where it is.
     std::optional<double> approach_work;

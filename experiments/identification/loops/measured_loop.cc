@@ -92,6 +92,35 @@ bool goes_on(const LoopColumns& columns, const MeasuredLoop& before, const Measu
            is_near(loop.normal_force, before.normal_force, same_load);
 }
 
+/// A contact takes work in around a loop, and holds against the shift where it sticks. Forces that
+/// do neither are those on the other body.
+void check_sign(const LoopColumns& columns, const MeasuredLoops& found) {
+    constexpr double clearly = .02;       // of the rectangle about a loop
+    constexpr double in_opposition = .5;  // a correlation
+    double work = 0, around = 0, together = 0, of_shifts = 0, of_forces = 0;
+    for (const MeasuredLoop& loop : found.loops) {
+        const double mean = mean_of(columns.forces, loop.first, loop.n);
+        double least = 0, most = 0;
+        for (std::size_t k = 0; k < loop.n; ++k) {
+            const std::size_t i = loop.first + k, next = loop.first + (k + 1) % loop.n;
+            const double u = columns.shifts[i] - loop.centre, f = columns.forces[i] - mean;
+            work += (columns.forces[i] + columns.forces[next]) / 2 *
+                    (columns.shifts[next] - columns.shifts[i]);
+            together += f * u;
+            of_shifts += u * u;
+            of_forces += f * f;
+            least = std::min(least, f);
+            most = std::max(most, f);
+        }
+        around += 2 * loop.amplitude * (most - least);
+    }
+    if (work < -clearly * around || together < -in_opposition * std::sqrt(of_shifts * of_forces))
+        throw LoopFault{0, "tangential_force",
+                        "the forces do not resist the shift: around the loops they give work",
+                        "change the sign of the forces, which are those on the other body, or of "
+                        "the shifts"};
+}
+
 }  // namespace
 
 double MeasuredLoops::mean_cycle() const {
@@ -144,6 +173,7 @@ MeasuredLoops measured_loops(const LoopColumns& columns) {
         throw LoopFault{0, "tangential_force",
                         "forces of a loop have both signs, and these have one",
                         "subtract the offset of the force sensor, and do not rectify the force"};
+    check_sign(columns, found);
     return found;
 }
 

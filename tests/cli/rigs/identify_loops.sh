@@ -37,6 +37,8 @@ bad() {
 header="cycle, shift [um], tangential_force [N], normal_force [N], amplitude [um]"
 bad "the loop does not close: a cycle ends where it began" "$header" '20,48d'
 bad "forces of a loop have both signs, and these have one" "$header" 's/, -\([0-9.]*, [36]00\)/, \1/'
+bad "the forces do not resist the shift: around the loops they give work" "$header" \
+    's/^\([^,]*, [^,]*, \)-/\1~/; s/^\([^,]*, [^,]*, \)\([0-9]\)/\1-\2/; s/~//'
 bad "cycle numbers go back under the same load and amplitude" "$header" '49,96s/^100/0/'
 bad "cycles have whole numbers from 0 on" "$header" 's/^100,/99.5,/'
 bad "the cycle has fewer than 12 rows" "$header" '9,48d'

@@ -30,7 +30,9 @@ std::string said(const std::optional<std::vector<std::string>>& reads, bool quie
 TEST(UnreadParts, NamesPartsAndTheirReaders) {
     const std::string text = said(std::vector<std::string>{});
     EXPECT_NE(text.find("not read by run: "), std::string::npos) << text;
-    EXPECT_NE(text.find("[rig] (read by rig, design, identify, experiment with loops)"), std::string::npos) << text;
+    EXPECT_NE(text.find("[rig] (read by rig, design, identify, experiment with loops)"),
+              std::string::npos)
+        << text;
     EXPECT_NE(text.find("[printed] (read by rig)"), std::string::npos) << text;
     EXPECT_NE(text.find("± of the numbers (read by predict --samples"), std::string::npos) << text;
 }
