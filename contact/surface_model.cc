@@ -22,7 +22,8 @@ struct StepSlip {
     const TangentialField& slip;
 };
 
-/// Pressed without friction: what its points carry is not what they could, had they to.
+/// Pressed without friction: what its points carry is not what they could, had they to. Told by the
+/// bounds, which a resumed state has as well; the step that made it is not kept.
 bool slid_freely(const ContactSolution& s) {
     const auto is_positive = [](double x) { return x > 0; };
     return s.normal && std::ranges::any_of(s.normal->pressure, is_positive) &&

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "contact/base/between_rows.h"
 #include "contact/base/error.h"
 #include "contact/base/state_bytes.h"
 #include "contact/models/model_kind.h"
@@ -191,11 +192,8 @@ void AdhesiveModel::show_normal(const EvenLoads& even, int point, Surface& s) co
     }
     s.gap[point] = 0;
     s.displacement_z[point] = state_.indentation - height;
-    const auto above = std::ranges::upper_bound(even.positions, x);
-    if (above == even.positions.begin() || above == even.positions.end()) return;
-    const auto k = static_cast<std::size_t>(above - even.positions.begin());
-    const double share = (x - even.positions[k - 1]) / (even.positions[k] - even.positions[k - 1]);
-    s.normal_line_load[point] = std::lerp(even.normal[k - 1], even.normal[k], share);
+    if (x < even.positions.front() || !(x < even.positions.back())) return;
+    s.normal_line_load[point] = contact::between_rows(even.positions, even.normal, x);
 }
 
 Surface AdhesiveModel::surface() const {

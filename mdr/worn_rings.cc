@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/base/between_rows.h"
 #include "contact/base/error.h"
 
 namespace tricontact::mdr {
@@ -49,10 +50,7 @@ std::vector<double> WornRings::on_surface(const std::vector<double>& field) cons
     std::vector<double> shown;
     for (int i = 0; i < s.n_x; ++i) {
         const double r = std::min(std::abs(s.x(i)), radius_.back());
-        const auto above = std::ranges::upper_bound(radius_, r);
-        const auto k = std::clamp<std::size_t>(above - radius_.begin(), 1, radius_.size() - 1);
-        const double part = (r - radius_[k - 1]) / (radius_[k] - radius_[k - 1]);
-        shown.push_back(std::lerp(field[k - 1], field[k], part));
+        shown.push_back(contact::between_rows(radius_, field, r));
     }
     return shown;
 }

@@ -13,32 +13,10 @@ namespace tricontact::meshes {
 
 namespace {
 
-// 1 + r + ... + r^(n-1), without the cancellation of (r^n - 1)/(r - 1) near r = 1.
-double geometric_sum(int n, double r) {
-    double sum = 0;
-    for (int k = 0; k < n; ++k) sum = sum * r + 1;
-    return sum;
-}
-
-// r in (0, growth] with geometric_sum(n, r) = total, to the last bit: the sum grows with r.
-double ratio_for(int n, double total, double growth) {
-    double low = 0, high = growth;
-    for (;;) {
-        const double middle = std::midpoint(low, high);
-        if (middle == low || middle == high) return high;
-        (geometric_sum(n, middle) < total ? low : high) = middle;
-    }
-}
-
 constexpr const char* grid_name = "layer mesh";
 // Lengths this near to each other (relative) are equal: decimal input is not exact in binary.
 constexpr double equal = 1e-9;
 constexpr double most_elements = 1e7;  // about 10 GB in gmsh
-
-// Slower than sideways: strains vary most with the depth.
-double depth_growth(const LayerMeshSpec& spec) {
-    return std::pow(spec.growth, 0.8);
-}
 
 void check_lengths(const LayerMeshSpec& spec) {
     auto positive = [](const char* what, double value) {
@@ -120,13 +98,13 @@ double count_across(const LayerMeshSpec& s) {
 
 // Before anything is allocated: numbers beyond any int are possible.
 void check_count(const LayerMeshSpec& s) {
-    double depth = graded_count(s.thickness, s.size, depth_growth(s));
+    double depth = graded_count(s.thickness, s.size, depth_growth(s.growth));
     double n = 2 * half_count(s, s.patch_x, s.half_x) * count_across(s);
     if (n * depth <= most_elements) {
-        const Grading layer = grade(s.thickness, s.size, depth_growth(s));
+        const Grading layer = grade(s.thickness, s.size, depth_growth(s.growth));
         const std::vector<double> nodes = layer.nodes();
-        depth +=
-            graded_count(s.lower_thickness, nodes.back() - nodes[layer.n - 1], depth_growth(s));
+        depth += graded_count(s.lower_thickness, nodes.back() - nodes[layer.n - 1],
+                              depth_growth(s.growth));
     }
     if (!(n * depth <= most_elements))
         fail(grid_name,
@@ -186,7 +164,7 @@ GridAxis across_axis(const LayerMeshSpec& spec) {
 }
 
 GridAxis depth_axis(const LayerMeshSpec& spec) {
-    const double growth = depth_growth(spec);
+    const double growth = depth_growth(spec.growth);
     std::vector<double> depths{0}, planes{0};
     GridAxis axis;
     double first = spec.size;
@@ -214,6 +192,26 @@ GridAxis depth_axis(const LayerMeshSpec& spec) {
 
 }  // namespace
 
+double geometric_sum(int n, double r) {
+    double sum = 0;
+    for (int k = 0; k < n; ++k) sum = sum * r + 1;
+    return sum;
+}
+
+// The sum grows with r.
+double growth_ratio(int n, double total, double growth) {
+    double low = 0, high = growth;
+    for (;;) {
+        const double middle = std::midpoint(low, high);
+        if (middle == low || middle == high) return high;
+        (geometric_sum(n, middle) < total ? low : high) = middle;
+    }
+}
+
+double depth_growth(double growth) {
+    return std::pow(growth, 0.8);
+}
+
 double graded_count(double length, double first, double growth) {
     const double total = length / first * (1 - equal);
     if (!(length > 0)) return 0;
@@ -228,7 +226,7 @@ Grading grade(double length, double first, double growth) {
     Grading strip;
     strip.n = static_cast<int>(graded_count(length, first, growth));
     strip.length = length;
-    if (strip.n > 1) strip.ratio = ratio_for(strip.n, length / first, growth);
+    if (strip.n > 1) strip.ratio = growth_ratio(strip.n, length / first, growth);
     if (strip.ratio < 1 / growth) strip.ratio = 1;
     return strip;
 }

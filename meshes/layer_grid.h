@@ -7,6 +7,14 @@
 
 namespace tricontact::meshes {
 
+/// 1 + r + ... + r^(n-1), without the cancellation of (r^n - 1)/(r - 1) near r = 1.
+double geometric_sum(int n, double r);
+/// r in (0, growth] with geometric_sum(n, r) = total, to the last bit.
+double growth_ratio(int n, double total, double growth);
+
+/// Of growth along the surface, that downwards: slower, since strains vary most with the depth.
+double depth_growth(double growth);
+
 /// Edges that grow along a strip by a constant ratio.
 struct Grading {
     int n = 0;          ///< number of elements; 0: no strip

@@ -28,7 +28,7 @@ constexpr double highest_row = pi / 10;
 
 // From the base to the surface, over the way between them.
 std::vector<double> depths(double length, double size, double growth) {
-    const Grading inwards = grade(length, size, std::pow(growth, .8));
+    const Grading inwards = grade(length, size, depth_growth(growth));
     std::vector<double> share;
     for (const double distance : inwards.nodes())
         share.insert(share.begin(), 1 - distance / length);

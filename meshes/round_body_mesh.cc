@@ -93,7 +93,7 @@ class HalfRound {
         const Grading around = grade(length, s_.size / std::cos(angle), s_.growth);
         for (const double distance : around.nodes()) rim_fraction_.push_back(distance / length);
         const double depth = (1 - core_height) * s_.radius;
-        const Grading inwards = grade(depth, s_.size, std::pow(s_.growth, .8));
+        const Grading inwards = grade(depth, s_.size, depth_growth(s_.growth));
         for (const double distance : inwards.nodes())
             layer_fraction_.insert(layer_fraction_.begin(), 1 - distance / depth);
         n_[0] = n_patch_[0] + around.n;

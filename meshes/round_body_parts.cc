@@ -50,7 +50,7 @@ class CylinderOnHub {
             const bool is_last = i + 1 == around.size();  // opposite of the contact
             ray_.push_back({is_last ? 0 : std::sin(at), is_last ? -1 : std::cos(at)});
         }
-        const Grading inwards = grade(s.radius - s.hub_radius, s.size, std::pow(s.growth, .8));
+        const Grading inwards = grade(s.radius - s.hub_radius, s.size, depth_growth(s.growth));
         for (const double distance : inwards.nodes())
             radius_.insert(radius_.begin(), s.radius - distance);
         radius_.front() = s.hub_radius;

@@ -133,7 +133,7 @@ class Search {
         for (const double one : problem.bound)
             if (one > 0) bound += one, ++n;
         const double local = compliance.local_tangential() / compliance.points().spacing[0];
-        if (from == SlipStart::slow && friction.slopes) alone_ = with_its_neighbours * slip_alone();
+        if (from == SlipStart::slow) alone_ = with_its_neighbours * friction.slip_alone;
         if (n > 0) steepness_ = std::max(1., friction.steepest * local * bound / n);
     }
 
@@ -206,17 +206,6 @@ class Search {
         return told;
     }
 
-    /// Slip over traction of a point by itself [1/Pa]: what its own traction slides it by.
-    double slip_alone() const {
-        const contact::ContactPoints& points = compliance_.points();
-        const std::size_t middle = points.size() / 2;
-        contact::TangentialField t(points.size()), u(points.size());
-        t.set(middle, {1, 1});
-        compliance_.tangential(t, u);
-        const contact::Vector2 here = u.at(middle), ahead = u.at(middle + 1);
-        return std::min(here[0] - ahead[0], here[1] - ahead[1]) / points.spacing[0];
-    }
-
     /// What the slip of this state leaves of friction, each point with the slip that it adds to its
     /// own as it lets go, by itself: on the same side as without, in a fraction of the iterates.
     /// From fast slip, where points come to rest instead, some would too early.
@@ -283,11 +272,21 @@ class Search {
     std::vector<double>& left_;
     const SteadySolution* const other_;
     const double range_;    // of what is left
-    double alone_ = 0;      // see slip_alone; 0: points follow together alone
+    double alone_ = 0;      // slip_alone and a little more; 0: points follow together alone
     double steepness_ = 1;  // change of mu over the residual of the state that it follows [-]
 };
 
 }  // namespace
+
+double slip_alone(const contact::Compliance& compliance) {
+    const contact::ContactPoints& points = compliance.points();
+    const std::size_t middle = points.size() / 2;
+    contact::TangentialField t(points.size()), u(points.size());
+    t.set(middle, {1, 1});
+    compliance.tangential(t, u);
+    const contact::Vector2 here = u.at(middle), ahead = u.at(middle + 1);
+    return std::min(here[0] - ahead[0], here[1] - ahead[1]) / points.spacing[0];
+}
 
 double solve_steady_rated(const contact::Compliance& compliance, const SteadyProblem& problem,
                           const ChangingFriction& friction, SlipStart from, double tolerance,

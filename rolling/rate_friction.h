@@ -19,8 +19,12 @@ struct ChangingFriction {
     std::string remedy;     ///< where that is too steep: "let it fall less"
     /// How `left` changes with the slip, for Newton's method; empty: unknown.
     std::function<BoundSlopes(const SteadySolution&)> slopes = {};
-    double steepest = 0;  ///< of them, by size; 0: unknown
+    double steepest = 0;    ///< of them, by size; 0: unknown
+    double slip_alone = 0;  ///< see below; 0: points follow together alone
 };
+
+/// Slip over traction of a point by itself [1/Pa]: what its own traction slides it by.
+double slip_alone(const contact::Compliance& compliance);
 
 /// mu by the speed of slip: from the leading edge, where it is 1. `speed`: of rolling [m/s];
 /// `at_rest`: mu [-]. What it refers to shall outlive it.

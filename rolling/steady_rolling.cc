@@ -177,10 +177,14 @@ class StaggeredIteration {
             throw contact::InputError(
                 "rolling: friction that changes with slip or temperature is Coulomb's at rest, and "
                 "by one of both; temperatures need heat");
-        const ChangingFriction friction =
+        ChangingFriction friction =
             by_heat ? friction_by_temperature(points_, *problem_.friction_temperature,
                                               *problem_.heat, *mu, problem_.speed, bound_)
                     : friction_by_rate(points_, *problem_.rate, *mu, problem_.speed);
+        if (!by_heat && problem_.slip_start == SlipStart::slow) {
+            if (!slip_alone_) slip_alone_ = slip_alone(compliance_);
+            friction.slip_alone = *slip_alone_;
+        }
         rate_residual_ =
             solve_steady_rated(compliance_, problem, friction, problem_.slip_start,
                                problem_.tolerance, steady_, left_, other_ ? &*other_ : nullptr);
@@ -232,6 +236,7 @@ class StaggeredIteration {
     SteadySolution steady_;
     std::optional<SteadySolution> other_;  // tractions alone
     std::vector<double> left_;             // of friction by its rate, see solve_steady_rated
+    std::optional<double> slip_alone_;     // once for all iterations
     double rate_residual_ = 0;
     double gap_residual_ = 0;
     int iterations_ = 0;

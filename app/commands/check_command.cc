@@ -36,13 +36,9 @@ std::string input_values(const Case& c) {
 /// What a yield or bulk stress makes of the bodies; `tangential_ratio` is F_T/(mu F_N), not finite
 /// where a run alone knows it.
 void add_strength(const Case& c, double tangential_ratio, std::vector<report::DerivedValue>& all) {
-    if (c.has_bulk_stress()) {
-        double largest = c.load.bulk_stress;
-        if (c.prescribed_path)
-            for (const auto& row : c.prescribed_path->rows)
-                if (std::abs(row.bulk_stress) > std::abs(largest)) largest = row.bulk_stress;
-        all.push_back({"eps", c.bulk_state(largest).strain[0], "1", "strain by the bulk stress"});
-    }
+    if (c.has_bulk_stress())
+        all.push_back({"eps", c.bulk_state(comparisons::largest_bulk_stress(c)).strain[0], "1",
+                       "strain by the bulk stress"});
     if (!c.yield_stress.any() && !c.has_bulk_stress()) return;
     const auto loads = comparisons::prescribed_loads(c, tangential_ratio);
     if (!loads) return;

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "benchmarks/comparison/surface_layout.h"
+#include "statistics/estimate.h"
 
 namespace tricontact::benchmarks {
 
@@ -16,20 +18,13 @@ constexpr double power_tolerance = .35;
 // The edge counts as alike on all meshes within so much of a spacing.
 constexpr double edge_tolerance = .12;
 
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
-/// Distances of neighbouring places along a profile, or the root of the median area.
+/// Distances of neighbouring places along a profile, or the root of the median area; 0 of none.
 double spacing(const MeshResult& mesh, double within) {
     if (mesh.geometry == Geometry::spatial) {
         std::vector<double> areas;
         for (const SurfacePoint& p : mesh.points)
             if (p.area > 0 && std::hypot(p.x, p.y) < within) areas.push_back(p.area);
-        return std::sqrt(median(areas));
+        return areas.empty() ? 0 : std::sqrt(statistics::median(std::move(areas)));
     }
     std::vector<double> x, steps;
     for (const SurfacePoint& p : mesh.points)
@@ -37,7 +32,7 @@ double spacing(const MeshResult& mesh, double within) {
     std::ranges::sort(x);
     for (std::size_t i = 1; i < x.size(); ++i)
         if (x[i] - x[i - 1] > 1e-6 * within) steps.push_back(x[i] - x[i - 1]);
-    return median(steps);
+    return steps.empty() ? 0 : statistics::median(std::move(steps));
 }
 
 int touched_points(const MeshResult& mesh, double radius) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "comparisons/quantities/model_traits.h"
 #include "comparisons/quantities/reference.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
@@ -30,11 +31,11 @@ bool has_elastic_indenter(const Case& c) {
 
 void add_layer(const Case& c, const std::string& model, std::vector<std::string>& all) {
     if (!c.layer.thickness || is_tabulated(c, model)) return;
-    const ModelKind& kind = contact::model_kind(model);
-    if (kind.is_half_space()) {
+    if (traits_of(c, model) & half_space) {
         all.emplace_back("substrate.thickness: the substrate is a half-space");
         return;
     }
+    const ModelKind& kind = contact::model_kind(model);
     if (kind.cut == ModelKind::Cut::of_revolution && c.layer.depth)
         all.emplace_back("substrate.depth: the layer is round, of the diameter substrate.width");
     const bool sees_width = kind.sees_sides || kind.is_section();
@@ -52,15 +53,15 @@ std::vector<std::string> left_out(const Case& c, const std::string& model) {
     std::vector<std::string> all;
     const ModelKind& kind = contact::model_kind(model);
     if (kind.is_read()) return all;  // it refuses what it does not know
+    const unsigned traits = traits_of(c, model);
     add_layer(c, model, all);
-    if (kind.is_on_line() && rolls_askew(c))
+    if ((traits & springs) && rolls_askew(c))
         all.emplace_back("rolling direction: springs on a line are the same in every direction");
-    if (!kind.sees_finite_strains && c.law != Case::Law::linear)
-        all.emplace_back("substrate.material: linear, at small strains");
+    if (traits & small_strains) all.emplace_back("substrate.material: linear, at small strains");
     const bool has_meshed_body = kind.sees_indenter_body && c.indenter.body;
     if (!kind.sees_elastic_indenter && !has_meshed_body && has_elastic_indenter(c))
         all.emplace_back("indenter.young: the indenter is rigid");
-    if (!kind.sees_indenter_body && c.indenter.body)
+    if (traits & half_space_indenter)
         all.emplace_back(std::string(c.indenter.body->key()) + ": the indenter is a half-space");
     if (!kind.sees_period && c.period) all.emplace_back("bem.period: one contact alone");
     return all;

@@ -6,7 +6,8 @@
 
 namespace tricontact::comparisons {
 
-/// What models take for granted of a case that has it otherwise: bits of a set.
+/// What models take for granted of a case that has it otherwise: bits of a set. What a case has and
+/// a model leaves out, key by key, is told from them by left_out().
 enum Trait : unsigned {
     springs = 1,
     half_space = 2,

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "contact/base/special_values.h"
+#include "statistics/estimate.h"
 
 namespace tricontact::comparisons {
 
@@ -71,9 +73,7 @@ double typical_spacing(const Surface& s) {
         for (const auto& quarter : quarters)
             areas.push_back(area(corners_of(
                 s, {nine[quarter[0]], nine[quarter[1]], nine[quarter[2]], nine[quarter[3]]})));
-    const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
-    std::nth_element(areas.begin(), middle, areas.end());
-    return std::sqrt(*middle);
+    return std::sqrt(statistics::median(std::move(areas)));
 }
 
 /// Grid lines through 0 that cover [low, high].

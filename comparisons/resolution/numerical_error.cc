@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "comparisons/resolution/refinement.h"
+#include "contact/base/between_rows.h"
 #include "contact/models/model_kind.h"
 #include "contact/rig_stiffness.h"
 
@@ -133,12 +134,7 @@ ResolvedRun::ResolvedRun(const contact::Case& c, const contact::History& history
 }
 
 double ResolvedRun::shift_at(double phase) const {
-    const auto after = std::ranges::upper_bound(phases, phase);
-    if (after == phases.begin()) return shifts.front();
-    if (after == phases.end()) return shifts.back();
-    const auto i = static_cast<std::size_t>(after - phases.begin());
-    const double share = (phase - phases[i - 1]) / (phases[i] - phases[i - 1]);
-    return std::lerp(shifts[i - 1], shifts[i], share);
+    return contact::between_rows(phases, shifts, std::clamp(phase, phases.front(), phases.back()));
 }
 
 std::optional<double> NumericalError::of(const Quantity& q) const {

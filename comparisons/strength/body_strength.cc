@@ -138,6 +138,14 @@ ContactLoads largest_loads(const Case& c, const contact::History& history) {
     return loads;
 }
 
+double largest_bulk_stress(const Case& c) {
+    double largest = c.load.bulk_stress;
+    if (c.prescribed_path)
+        for (const auto& row : c.prescribed_path->rows)
+            if (std::abs(row.bulk_stress) > std::abs(largest)) largest = row.bulk_stress;
+    return largest;
+}
+
 std::optional<ContactLoads> prescribed_loads(const Case& c, double tangential_ratio) {
     if (!c.prescribed_path && !std::isfinite(tangential_ratio)) return {};
     Case known = c;

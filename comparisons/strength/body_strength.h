@@ -20,7 +20,10 @@ struct ContactLoads {
 };
 ContactLoads largest_loads(const contact::Case& c, const contact::History& history);
 
-/// The same of what the case prescribes, F_N on the half-space where its depth is given and F_T
+/// The largest by size of the load and all rows of the path [Pa].
+double largest_bulk_stress(const contact::Case& c);
+
+/// Loads of what the case prescribes, F_N on the half-space where its depth is given and F_T
 /// where `tangential_ratio` is F_T/(mu F_N). Empty where F_T follows from a shift or is not finite:
 /// a run alone knows it.
 std::optional<ContactLoads> prescribed_loads(const contact::Case& c, double tangential_ratio);

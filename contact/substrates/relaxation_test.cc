@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/base/between_rows.h"
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
 #include "contact/substrates/prony_fit.h"
@@ -21,12 +22,8 @@ double earliest(const RelaxationTest& table) {
 
 // Between the rows of the table linear in the time.
 double modulus_near(const RelaxationTest& table, double time) {
-    const auto it = std::ranges::lower_bound(table.time, time);
-    if (it == table.time.begin()) return table.modulus.front();
-    if (it == table.time.end()) return table.modulus.back();
-    const auto k = static_cast<std::size_t>(it - table.time.begin());
-    const double part = (time - table.time[k - 1]) / (table.time[k] - table.time[k - 1]);
-    return table.modulus[k - 1] + part * (table.modulus[k] - table.modulus[k - 1]);
+    return between_rows(table.time, table.modulus,
+                        std::clamp(time, table.time.front(), table.time.back()));
 }
 
 PronyProblem test_problem(const RelaxationTest& table) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 
+#include "comparisons/strength/body_strength.h"
 #include "contact/half_space_scales.h"
 #include "contact/load_path.h"
 #include "contact/section_scales.h"
@@ -221,8 +222,7 @@ void complete_half_space(Rig& rig, const Case& c) {
     } else {
         rig.F_T = std::max(std::abs(along(least)), std::abs(along(most)));
     }
-    const auto bulk = [](const Row& row) { return std::abs(row.bulk_stress); };
-    rig.sigma = bulk(*std::ranges::max_element(rows, {}, bulk));
+    rig.sigma = std::abs(comparisons::largest_bulk_stress(c));
 }
 
 /// What follows from the resolved case where the file has no such key.

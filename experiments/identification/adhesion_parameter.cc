@@ -11,6 +11,7 @@
 #include "io/case/measurement_models.h"
 #include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
+#include "statistics/estimate.h"
 
 namespace tricontact::experiments {
 
@@ -24,13 +25,6 @@ using Measurement = Input::Measurement;
 constexpr double hidden_tension = 1e-2;
 // Around the guess.
 constexpr double least_work = 1e-6, largest_work = 1e3;
-
-double middle_of(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
 
 template <typename Value>
 void keep(const std::vector<std::size_t>& rows, std::vector<Value>& values) {
@@ -146,8 +140,9 @@ FreeParameter approach_parameter() {
 
 void keep_adhesive_rows(Table& table, const std::string& name) {
     if (!table.is_adhesive || table.measurement != Measurement::force_indentation) return;
-    const double error = middle_of(table.row_errors.observed.empty() ? table.standard_errors
-                                                                     : table.row_errors.observed);
+    const std::vector<double>& errors =
+        table.row_errors.observed.empty() ? table.standard_errors : table.row_errors.observed;
+    const double error = errors.empty() ? 0 : statistics::median(errors);
     const std::size_t n = table.given.size();
     AdhesiveRows kept = adhesive_rows(table.given, table.observed, error);
     constexpr int most_onsets = 2;  // one, and a stray row

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/base/between_rows.h"
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
 #include "experiments/identification/identification_models.h"
@@ -91,13 +92,9 @@ class ComputedLoop {
         std::vector<double> shifts, forces;  // shifts increase
 
         double at(double shift) const {
-            const auto above = std::ranges::upper_bound(shifts, shift);
-            const auto i =
-                std::clamp<std::ptrdiff_t>(above - shifts.begin(), 1, std::ssize(shifts) - 1);
             // Beyond a reversal noise has put a row: on with the branch's slope, as fitted loops
             // do, so that its mean stays.
-            const double share = (shift - shifts[i - 1]) / (shifts[i] - shifts[i - 1]);
-            return std::lerp(forces[i - 1], forces[i], share);
+            return contact::between_rows(shifts, forces, shift);
         }
     };
 

@@ -1,8 +1,8 @@
 #include "fem/planar/node_line.h"
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
+
+#include "meshes/layer_grid.h"
 
 namespace tricontact::fem::planar {
 
@@ -11,23 +11,6 @@ namespace {
 void add_element(NodeLine& line, double end) {
     line.push_back((line.back() + end) / 2);
     line.push_back(end);
-}
-
-/// Length of n elements behind one of length 1, growing by a factor.
-double grown_length(int n, double growth) {
-    double sum = 0, size = 1;
-    for (int k = 0; k < n; ++k) sum += size *= growth;
-    return sum;
-}
-
-/// The factor with which n elements have this length, below `growth`.
-double growth_for(int n, double length, double growth) {
-    double low = 0, high = growth;
-    for (int k = 0; k < 60; ++k) {
-        const double middle = (low + high) / 2;
-        (grown_length(n, middle) < length ? low : high) = middle;
-    }
-    return high;
 }
 
 }  // namespace
@@ -43,9 +26,11 @@ NodeLine continued(NodeLine line, double end, double growth) {
     if (!(rest >= -1e-9 * last))
         throw std::invalid_argument("continued: the line ends behind its end");
     if (rest <= 1e-9 * last) return line;
+    // Together with the last one, over its length.
+    const double total = 1 + rest / last;
     int n = 1;
-    while (grown_length(n, growth) < rest / last) ++n;
-    const double factor = growth_for(n, rest / last, growth);
+    while (meshes::geometric_sum(n + 1, growth) < total) ++n;
+    const double factor = meshes::growth_ratio(n + 1, total, growth);
     double size = last;
     for (int k = 1; k < n; ++k) add_element(line, line.back() + (size *= factor));
     add_element(line, end);

@@ -29,6 +29,9 @@ refused() {
     rmdir "$work/empty" || { complain "files left behind: $*"; rm -rf "$work/empty"; }
 }
 
+# Whether the program was built with finite elements.
+has_fem() { "$program" list | grep -q '^  fem '; }
+
 # rows FOLDER: how many points the table of a sweep has.
 rows() { echo $(($(wc -l <"$1/results.csv") - 1)); }
 # column NAME FILE: its values.

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
+
+#include "statistics/estimate.h"
 
 namespace tricontact::experiments {
 
@@ -29,10 +32,8 @@ double error_of_neighbours(const std::vector<double>& forces) {
     for (std::size_t i = 2; i < forces.size(); ++i)
         differences.push_back(std::abs(forces[i] - 2 * forces[i - 1] + forces[i - 2]));
     if (differences.empty()) return 0;
-    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-    std::ranges::nth_element(differences, middle);
     constexpr double normal_median = .6745;
-    return *middle / (normal_median * std::sqrt(6.));
+    return statistics::median(std::move(differences)) / (normal_median * std::sqrt(6.));
 }
 
 }  // namespace

@@ -145,7 +145,7 @@ printf 'case = "%s"\nmodels = ["mdr"]\n[set]\nmdr.springs = 100\nrolling.periods
 "$program" sweep part.toml --output part --jobs 1 --no-report --quiet || complain "no sweep"
 former merge "sweep merge" whole "$work/part"
 former merge "sweep merge" whole "$work/nowhere"
-if "$program" list | grep -q '^  fem '; then
+if has_fem; then
     [ "$n" -eq 25 ] || complain "$n commands"
     [ "$(group_of mesh)" = Exchange: ] && [ "$(group_of cache)" = Tools: ] || complain "groups of mesh and cache"
     former condense "cache condense" "$contact" --set fem.cache=none

@@ -64,7 +64,7 @@ run depth oblique.toml --set 'path.table="indentation [um], shift_x [um]\n0, 0\n
 grep -q "The shift is prescribed" depth/report.html || complain "the page does not say what is prescribed"
 run layer oblique.toml --set 'models=["mdr-layer"]' --set 'substrate.thickness=8 mm'
 models=(depth layer)
-if "$program" list | grep -q '^  fem '; then
+if has_fem; then
     sed '/^size/d; /^increment/d' "$source_dir/examples/cases/rig_cylinder.toml" >cylinder.toml
     run fem cylinder.toml --models fem --set fem.cache=none --set rolling.periods=1 \
         --set rolling.steps=turning-points --set load.press_steps=2

@@ -68,7 +68,7 @@ json few/fit.json 0 fit few.toml -o few -q
 "$program" rig "$examples/rigs/cylinder_parallel.toml" -o rig --export papers >/dev/null 2>&1 || complain "no export"
 json - 0 reproduce papers/archive.zip -q
 
-if "$program" list | grep -q '^  fem '; then
+if has_fem; then
     json - 0 mesh "$examples/cases/rig_layer_parallel.toml" --set fem.size="2 mm" -o mesh
     json - 0 cache --folder nothing_kept
 fi

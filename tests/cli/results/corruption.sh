@@ -98,7 +98,7 @@ for _ in $(seq 1 "$flips"); do
 done
 tell "results.sqlite of a refinement"
 
-"$program" list | grep -q '^  fem ' || finish
+has_fem || finish
 layer_command=("$program" run "$source_dir/examples/cases/rig_layer_parallel.toml" --models fem --no-report
     --set 'fem.size="2 mm"' --set fem.cache=cache --set output.volume=none --no-studies)
 layer() {

@@ -36,7 +36,7 @@ refine=(refine "$sphere" --models bem --output refine --set "bem.spacing=0.8 mm"
 run=(run "$sphere" --models mdr,bem --set "bem.spacing=0.8 mm" --set output.vtk=quarters --set rolling.periods=2
     --output run --threads 1 --no-report)
 commands=(sweep deviation limit refine run)
-if "$program" list | grep -q '^  fem '; then
+if has_fem; then
     condense=(cache condense "$layer" --set 'fem.size="2 mm"' --set fem.cache=condense)
     run_fem=(run "$layer" --models fem --no-studies --no-report --set 'fem.size="2 mm"' --set fem.cache=run_fem/cache
         --output run_fem)

@@ -29,10 +29,12 @@ steps = "turning-points"
 size = "0.5 mm"
 TOML
 
+has_fem || sed -i 's/, "fem"//' springs.toml
+
 # 1. Two models of a layer: both have 1e-3 of their own meshes.
 "$program" run springs.toml --quiet --no-studies --output run || complain "the case does not run"
 for key in indentation_m contact_radius_m static_shift_m settled_shift_m limit_tangential_ratio; do
-    near "$(value fem $key run/summary.json)" "$(value bem-layer $key run/summary.json)" 2e-3 "$key of fem"
+    ! has_fem || near "$(value fem $key run/summary.json)" "$(value bem-layer $key run/summary.json)" 2e-3 "$key of fem"
 done
 # Springs on a line: exact for the pressing of bodies of revolution, elements of a/100; shifts are
 # those of the mean over the circle, uncoupled.
@@ -133,7 +135,7 @@ refuses() { # WORDS COMMAND...
     [ $? = 2 ] || complain "$*: not refused"
     grep -q "interface" said.txt && grep -q -- "$words" said.txt || complain "$*: $(cat said.txt)"
 }
-sed -e '/^\[rolling\]/,/^steps/d' -e '/^thickness/d' -e 's/"bem-layer", "fem"/"mdr"/' springs.toml >on.toml
+sed -e '/^\[rolling\]/,/^steps/d' -e '/^thickness/d' -e 's/^models.*/models = ["mdr"]/' springs.toml >on.toml
 echo "[tractive_rolling]" >>on.toml
 refuses "rolls on over independent ones" roll on.toml --output no
 refuses "finite strains" run springs.toml --models fem --set substrate.material=neo-hookean --output no

@@ -170,7 +170,7 @@ expect 2 "$case_file" --models mdr-layer --output none
 says "models: mdr-layer is not among the models of the case" err
 [ -e none ] && complain "a folder in spite of bad input"
 
-if ! "$program" list | grep -q '^  fem '; then
+if ! has_fem; then
     expect 2 "$case_file" --output none
     printf '%d failures (built without fem)\n' "$failures"
     exit "$failures"

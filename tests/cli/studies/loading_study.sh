@@ -6,7 +6,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
 export OPENBLAS_NUM_THREADS=1
 
 models=bem-layer
-"$program" list | grep -q '^  fem ' && models="bem-layer fem"
+has_fem && models="bem-layer fem"
 
 # The rig's layer in coarse elements, by turning points until it has settled, as the study rolls it.
 cat >base.toml <<'END'

@@ -32,7 +32,7 @@ size = "1.8 mm"
 [mdr]
 springs = 200
 END
-"$program" list | grep -q '^  fem ' || sed -i 's/, "fem"//; /^\[fem\]/,/^size/d' case.toml
+has_fem || sed -i 's/, "fem"//; /^\[fem\]/,/^size/d' case.toml
 # The first point settles, the second one ratchets.
 cat >study.toml <<'END'
 case = "case.toml"
