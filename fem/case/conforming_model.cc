@@ -151,7 +151,7 @@ Surface ConformingModel::surface() const {
         for (auto* const length : {&s.displacement_x, &s.displacement_z, &s.gap})
             if (!length->empty()) (*length)[i] *= cosine;
     }
-    if (is_coupled() && friction_ && !s.friction_bound.empty()) {
+    if (is_coupled() && !s.friction_bound.empty()) {
         // Solvers bound what is pressed along z beside the traction: mu p is told here.
         std::vector<double> x(s.size());
         for (std::size_t i = 0; i < x.size(); ++i) x[i] = s.x(static_cast<int>(i));
@@ -163,6 +163,8 @@ Surface ConformingModel::surface() const {
 
 std::unique_ptr<contact::Model> ConformingModel::sibling(
     const contact::Case::Contact& options) const {
+    // The compliance of a press without friction knows of no force along the arc that carries.
+    if (options.coupling && !friction_) return nullptr;
     auto other = along_z_->sibling(options);
     return other ? std::make_unique<ConformingModel>(std::move(other), radius_, friction_)
                  : nullptr;

@@ -181,6 +181,23 @@ TEST(FemConformingFriction, PressesWhereAPinThatIsTakenBackJams) {
     }
 }
 
+// Friction needs another compliance than a press without it: such a model has no coupled sibling.
+TEST(FemConformingFriction, IsNoSiblingOfAPressWithoutIt) {
+    const auto bodies = pin_and_hole({12, .6, 1.5, 3}, {R, 2, 100}, {2, .3}, {4, .45});
+    PairOptions options{.radius = R};
+    options.conforming = true;
+    const fem::ConformingModel alone(
+        std::make_unique<contact::SurfaceModel>(
+            "fem-plane", pair_compliance(bodies, grid_between(bodies), options),
+            std::make_unique<contact::PinInHole>(R, R + clearance), contact::Friction{}.law(), 1e-6,
+            contact::Case::Contact{.coupling = false}),
+        R, nullptr);
+    EXPECT_EQ(alone.sibling({.coupling = true}), nullptr);
+    EXPECT_NE(alone.sibling({.coupling = false}), nullptr);
+    const fem::ConformingModel rough = model_of(bodies, R, R + clearance, .3);
+    EXPECT_NE(rough.sibling({.coupling = true}), nullptr);
+}
+
 // CalculiX 2.20 on the benchmark's deck with 8 elements in a, face to face with its own friction on
 // displaced surfaces, mu = .3, its load in 10 increments: depths of 19.004 um without friction and
 // 18.705 um with it, 54.0 MPa in the middle, tractions of 4.61, 8.33 and 12.06 MPa at 7.5, 11.25
