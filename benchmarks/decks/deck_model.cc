@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "benchmarks/decks/graded_line.h"
+#include "benchmarks/decks/ring_mesh.h"
 #include "contact/base/error.h"
 #include "contact/rig_stiffness.h"
 #include "contact/wearing_contact.h"
@@ -107,8 +108,10 @@ void set_path(DeckModel& model, const contact::Case& c) {
     using Tangential = contact::TangentialControl::Kind;
     for (const contact::PrescribedPath::Row& row : c.prescribed_path->rows) {
         if (row.rotation != 0 || row.offset[0] != 0 || row.offset[1] != 0)
-            refuse("no deck has a path that twists or rolls",
-                   "paths of decks press and shift along x");
+            refuse(
+                "no deck has a path that twists or rolls: displacements of decks are small, and "
+                "nothing turns",
+                "paths of decks press and shift along x");
         if (row.tangential[1].value != 0)
             refuse("no deck is loaded along y", "half models are symmetric in y: load along x");
         const contact::TangentialControl& along = row.tangential[0];
@@ -135,6 +138,11 @@ void set_friction(DeckModel& model, const contact::Case& c) {
                             (c.layer.thickness || std::abs(c.materials().dundurs_beta()) > 1e-9);
     if (!is_coupled && !model.is_shifted()) return;
     model.mu = c.friction_coefficient();
+    if (model.mu > 0 && !c.contact.coupling && c.indenter.body && model.steps.size() > 1) {
+        model.presses_frictionless = true;
+        model.steps.front().increments = 1;
+        return;
+    }
     // Only now it is known that friction acts while a path's first row presses.
     if (model.mu > 0 && !(c.prescribed_path && c.prescribed_path->starts_unloaded()))
         model.steps.front().increments = press_increments(model, c);
@@ -151,9 +159,14 @@ void set_round_body(DeckModel& model, const contact::Case& c) {
     const Body& body = *c.indenter.body;
     const bool is_round = body.form == Body::Form::hemisphere || body.form == Body::Form::ball ||
                           body.form == Body::Form::cylinder;
-    if (!is_round || body.support == Body::Support::hub || body.is_loose())
-        refuse("bodies of decks are hemispheres on holders, balls and cylinders between plates",
-               "take one of these, or compare results of an input of your own");
+    const bool is_on_hub = body.support == Body::Support::hub,
+               is_roller = is_on_hub && body.form == Body::Form::cylinder &&
+                           !c.has_rigid_substrate && c.layer.thickness;
+    if (!is_round || (is_on_hub && !is_roller) || body.is_loose())
+        refuse(
+            "bodies of decks are hemispheres on holders, balls and cylinders between plates, "
+            "and cylinders on hubs that press a block",
+            "take one of these, or compare results of an input of your own");
     if (model.shape == DeckModel::Shape::half || (model.mu > 0 && c.has_rigid_substrate))
         refuse(
             "bodies of finite size are pressed along their axis, on a rigid plane without friction",
@@ -161,10 +174,12 @@ void set_round_body(DeckModel& model, const contact::Case& c) {
     const double radius = c.indenter.radius * to_mm, young = c.indenter.material->young * to_mpa,
                  poisson = c.indenter.material->poisson;
     if (!c.has_rigid_substrate) {
-        if (!c.layer.thickness || body.form != Body::Form::hemisphere ||
-            model.shape == DeckModel::Shape::plane)
-            refuse("two bodies of a deck are a hemisphere and a layer",
-                   "take one of them rigid, or compare results of an input of your own");
+        if (!is_roller && (!c.layer.thickness || body.form != Body::Form::hemisphere ||
+                           model.shape == DeckModel::Shape::plane))
+            refuse(
+                "two bodies of a deck are a hemisphere and a layer, or a cylinder on a hub and "
+                "a block",
+                "take one of them rigid, or compare results of an input of your own");
         model.upper = {radius, young, poisson};
         return;
     }
@@ -298,6 +313,8 @@ DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes) 
     set_stiffness(model, reference);
     model.gap = gap_formula(c.indenter, model);
     if (model.round_radius > 0) model.indenter = flat_face();
+    if (model.upper && model.shape == DeckModel::Shape::plane)
+        set_cylinder_on_block(model, c.indenter.body->hub_radius * to_mm);
     return model;
 }
 

@@ -39,6 +39,7 @@ struct DeckModel {
     double young = 0;   ///< [MPa]
     double poisson = 0;
     double mu = 0;                                      ///< 0: frictionless
+    bool presses_frictionless = false;                  ///< friction acts from the second step on
     std::shared_ptr<const contact::Indenter> indenter;  ///< in m
     std::string gap;  ///< formula of the profile over r (x of plane decks), both in mm
     bool is_half_space = false;

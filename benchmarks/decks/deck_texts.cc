@@ -57,7 +57,10 @@ std::string load_words(const DeckModel& model) {
                                  step.shift, step.is_tangential_force ? per : "mm");
         if (step.increments > 1) words += fmt::format(" in {} steps", step.increments);
     }
-    words += model.mu > 0 ? fmt::format(". Friction {:.6g}.", model.mu) : ". No friction.";
+    words += model.mu > 0
+                 ? fmt::format(". Friction {:.6g}{}.", model.mu,
+                               model.presses_frictionless ? " from the second step on" : "")
+                 : ". No friction.";
     if (model.share() != 1)
         words += " Forces that a code prints are those of its half: twice as much acts.";
     return words;

@@ -106,6 +106,10 @@ void write_steps(std::string& text, const DeckModel& model, bool is_abaqus) {
         const int increments = std::max(step.increments, i == 0 ? 5 : 1);
         fmt::format_to(out, "*STEP, INC=1000{}\n*STATIC\n{:.9g}, 1., 1e-6, {:.9g}\n",
                        is_abaqus ? ", NLGEOM=NO" : "", 1. / increments, 1. / increments);
+        if (model.presses_frictionless && i == 1) {
+            text += "*CHANGE FRICTION, INTERACTION=CONTACT\n";
+            write_inp_friction(text, interaction_of(model), is_abaqus);
+        }
         write_control(out, model, step, i == 0);
         write_inp_output(text, {"NIND", "NBASE"}, model.has_force() ? "NDEPTH" : "", is_abaqus);
         fmt::format_to(out, "*END STEP\n");
@@ -141,7 +145,10 @@ std::string inp_text(const DeckModel& model, const InpElement& element, int n, i
     const char* section = is_plane ? "1.\n" : "";
     fmt::format_to(out, "*SOLID SECTION, ELSET=EBODY, MATERIAL=BODY\n{}", section);
     fmt::format_to(out, "*SOLID SECTION, ELSET=EIND, MATERIAL=INDENTER\n{}", section);
-    write_inp_contact(text, interaction_of(model), is_abaqus);
+    InpInteraction interaction = interaction_of(model);
+    // A step can change friction alone, not begin it.
+    if (model.presses_frictionless) interaction.mu = 1e-6;
+    write_inp_contact(text, interaction, is_abaqus);
     write_followers(text, model, mesh);
     write_supports(out, model);
     write_steps(text, model, is_abaqus);

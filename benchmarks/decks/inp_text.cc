@@ -56,18 +56,23 @@ void write_inp_mesh(std::string& text, const DeckMesh& mesh, const std::string& 
     }
 }
 
-void write_inp_contact(std::string& text, const InpInteraction& interaction, bool is_abaqus) {
+void write_inp_friction(std::string& text, const InpInteraction& interaction, bool is_abaqus) {
     const auto out = std::back_inserter(text);
-    text += "*SURFACE INTERACTION, NAME=CONTACT\n";
-    if (is_abaqus) text += "1.\n";
-    fmt::format_to(out, "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:.9g}\n",
-                   interaction.stiffness);
     // CalculiX takes the slope of the traction over elastic slip, Abaqus the largest elastic slip.
     if (interaction.mu > 0 && is_abaqus)
         fmt::format_to(out, "*FRICTION, ELASTIC SLIP={:.6g}\n{:.9g}\n", interaction.elastic_slip,
                        interaction.mu);
     else if (interaction.mu > 0)
         fmt::format_to(out, "*FRICTION\n{:.9g}, {:.9g}\n", interaction.mu, interaction.stick_slope);
+}
+
+void write_inp_contact(std::string& text, const InpInteraction& interaction, bool is_abaqus) {
+    const auto out = std::back_inserter(text);
+    text += "*SURFACE INTERACTION, NAME=CONTACT\n";
+    if (is_abaqus) text += "1.\n";
+    fmt::format_to(out, "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:.9g}\n",
+                   interaction.stiffness);
+    write_inp_friction(text, interaction, is_abaqus);
     text += "*CONTACT PAIR, INTERACTION=CONTACT, TYPE=SURFACE TO SURFACE\nSLAYER, SIND\n";
 }
 

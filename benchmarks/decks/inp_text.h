@@ -16,6 +16,8 @@ struct InpInteraction {
     double stick_slope = 0;   ///< K_T [MPa/mm], CalculiX
     double elastic_slip = 0;  ///< largest one [mm], Abaqus
 };
+/// The friction of an interaction.
+void write_inp_friction(std::string& text, const InpInteraction& interaction, bool is_abaqus);
 /// Interaction and the contact pair SLAYER, SIND, from face to face.
 void write_inp_contact(std::string& text, const InpInteraction& interaction, bool is_abaqus);
 

@@ -73,8 +73,8 @@ DeckMesh mesh_of(const BodyMesh& body, bool is_quadratic) {
     mesh.nodes = body.nodes;
     mesh.elements = body.elements;
     mesh.n_body_elements = mesh.n_elements();
-    const auto add = [&](const char* set, const std::vector<std::vector<int>>& edges) {
-        for (const auto& edge : edges)
+    const auto add = [&](const char* set, const std::vector<std::vector<int>>& sides) {
+        for (const auto& edge : sides)
             mesh.node_sets[set].insert(mesh.node_sets[set].end(), edge.begin(), edge.end());
     };
     // A single node is that at which a force acts: the contact alone holds the body.

@@ -7,6 +7,7 @@
 #include "benchmarks/decks/deck_family.h"
 #include "benchmarks/decks/deck_texts.h"
 #include "benchmarks/decks/graded_line.h"
+#include "benchmarks/decks/ring_mesh.h"
 
 // Steel on aluminium, x >= 0: bodies with nodes of the same x, or length of arc, where they touch.
 
@@ -24,14 +25,6 @@ std::vector<double> konter_line(double size, int equal, double end, int level) {
     return refined_line(graded_line(0, size, equal, end, 1.5), level);
 }
 
-/// Faces of a row of elements from the middle to `reach`.
-void add_row(DeckMesh& mesh, const char* name, const std::vector<double>& along, int first,
-             int face, double reach) {
-    for (int i = 0; i + 1 < static_cast<int>(along.size()) && along[i + 1] <= reach * (1 + 1e-9);
-         ++i)
-        mesh.surfaces[name].push_back({first + i, face});
-}
-
 /// The aluminium, its base held; `x` are the nodes along its upper face.
 DeckMesh konter_base(const std::vector<double>& x, double size, int level, bool is_quadratic,
                      double reach) {
@@ -45,7 +38,7 @@ DeckMesh konter_base(const std::vector<double>& x, double size, int level, bool 
               {{"NBASE", [=](const Point& p) { return p[1] == bottom; }},
                {"NAXIS", [](const Point& p) { return p[0] == 0; }}});
     mesh.n_body_elements = mesh.n_elements();
-    add_row(mesh, "SLAYER", x, mesh.n_elements() - static_cast<int>(x.size()) + 1, 3, reach);
+    add_face_row(mesh, "SLAYER", x, mesh.n_elements() - static_cast<int>(x.size()) + 1, 3, reach);
     return mesh;
 }
 
@@ -67,24 +60,13 @@ constexpr double roller_overlap = .1;
 
 DeckMesh roller_mesh(int n, int level, bool is_quadratic) {
     using std::numbers::pi;
-    const double size = roller_contact / n, end = pi * roller, reach = 2 * roller_contact;
+    const double size = roller_contact / n, reach = 2 * roller_contact;
     DeckMesh mesh =
         konter_base(konter_line(size, 2 * n, block_reach, level), size, level, is_quadratic, reach);
-    const std::vector<double> arcs = konter_line(size, 2 * n, end, level),
+    const std::vector<double> arcs = konter_line(size, 2 * n, pi * roller, level),
                               depths = konter_line(size, 1, roller - roller_hub, level);
-    const double inner = depths.back();
-    const auto is_axis = [=](const Point& p) { return p[0] == 0 || p[0] == end; };
-    const auto is_hub = [=](const Point& p) { return p[1] == inner; };
-    add_block(mesh, {arcs, depths, {}},
-              [=](const Point& p) -> Point {
-                  const double angle = p[0] / roller, r = roller - p[1];
-                  return {p[0] == end ? 0 : r * std::sin(angle),
-                          roller - roller_overlap - r * std::cos(angle), 0};
-              },
-              {{"NIND", is_hub},
-               {"NDEPTH", [=](const Point& p) { return is_hub(p) && p[0] == 0; }},
-               {"NAXIS", [=](const Point& p) { return is_axis(p) && !is_hub(p); }}});
-    add_row(mesh, "SIND", arcs, mesh.n_body_elements, 1, reach);
+    add_ring(mesh, roller, roller_overlap, arcs, depths);
+    add_face_row(mesh, "SIND", arcs, mesh.n_body_elements, 1, reach);
     return mesh;
 }
 
@@ -108,9 +90,9 @@ DeckMesh konter_punch_mesh(int n, int level, bool is_quadratic) {
               {{"NIND", is_leader}, {"NDEPTH", is_leader}, {"NAXIS", [=](const Point& p) {
                                                                 return p[0] == 0 && !is_leader(p);
                                                             }}});
-    add_row(mesh, "SIND", x, mesh.n_body_elements, 1, punch_side);
+    add_face_row(mesh, "SIND", x, mesh.n_body_elements, 1, punch_side);
     const int columns = static_cast<int>(x.size()) - 1;
-    add_row(mesh, "SLOAD", x, mesh.n_elements() - columns, 3, punch_side);
+    add_face_row(mesh, "SLOAD", x, mesh.n_elements() - columns, 3, punch_side);
     return mesh;
 }
 

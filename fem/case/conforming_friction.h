@@ -21,6 +21,7 @@ class ConformingFriction final : public contact::CarriedFriction {
     void bounds_beside(const Points& points, std::span<const double> traction,
                        std::span<double> bound) const override;
     std::optional<double> coulomb() const override { return law_->coulomb(); }
+    const contact::FrictionLaw& law() const { return *law_; }
 
     /// Pressure along the radius [Pa] of a point at x that carries these along z and the arc.
     static double radial_pressure(double along_z, double traction, double angle) {

@@ -1,8 +1,11 @@
 #include "fem/case/conforming_model.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "contact/base/error.h"
 #include "fem/case/conforming_friction.h"
@@ -62,7 +65,50 @@ double edge_of(const Surface& s, double spacing) {
     return edge;
 }
 
+/// What jams a pin: points from `angle` on with mu tan(theta) >= 1, of contact to `edge` [rad].
+struct Jam {
+    double angle = 0, edge = 0;
+    bool is_there() const { return angle < edge; }
+};
+/// Of the surface along the radius.
+Jam jam_of(const Surface& s, double radius) {
+    Jam jam{.angle = std::numbers::pi / 2};
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        const double p = s.normal_traction[i], angle = std::abs(s.x(static_cast<int>(i))) / radius;
+        if (!(p > 0)) continue;
+        jam.edge = std::max(jam.edge, angle);
+        const double bound = s.friction_bound.empty() ? 0 : s.friction_bound[i];
+        if (bound > 0) jam.angle = std::min(jam.angle, std::atan(p / bound));
+    }
+    return jam;
+}
+
 }  // namespace
+
+void ConformingModel::refuse_jam() const {
+    const Jam jam = jam_of(surface(), radius_);
+    if (!jam.is_there()) return;
+    constexpr double degrees = 180 / std::numbers::pi;
+    throw contact::InputError(fmt::format(
+        "{}: the pin is taken back where it jams: mu tan(theta) is above 1 from {:.3g} degrees on, "
+        "the contact reaches {:.3g}, and Coulomb's law does not say what it then carries; press it "
+        "alone, or lower friction.coefficient below {:.3g}",
+        name(), degrees * jam.angle, degrees * jam.edge, 1 / std::tan(jam.edge)));
+}
+
+// Unlike flat contacts, whose pressures and tractions hardly move one another, these do by
+// tan(theta), and their iteration need not end.
+contact::StepRecord ConformingModel::press(const contact::LoadStep& step) {
+    try {
+        return along_z_->advance(step);
+    } catch (const contact::NotConverged& error) {
+        throw contact::NotConverged(
+            std::string(error.what()) +
+            "; where a contact closes far around a pin, pressures and tractions move one another "
+            "by tan(theta): press in more steps (load.press_steps), lower "
+            "friction.coefficient or the load, or without friction (contact.coupling = false)");
+    }
+}
 
 contact::StepRecord ConformingModel::advance(const contact::LoadStep& step) {
     refuse_motion(step);
@@ -70,7 +116,10 @@ contact::StepRecord ConformingModel::advance(const contact::LoadStep& step) {
     // Where all slips no force along x tells where the pin is: it is in the middle.
     contact::LoadStep held = step;
     held.tangential[0] = {contact::TangentialControl::Kind::shift, 0};
-    return along_z_->advance(held);
+    if (last_ && held.normal.value < last_->of(held.normal.kind)) refuse_jam();
+    const contact::StepRecord record = press(held);
+    last_ = {record.indentation, record.normal_force};
+    return record;
 }
 
 contact::Scales ConformingModel::scales() const {
@@ -102,13 +151,23 @@ Surface ConformingModel::surface() const {
         for (auto* const length : {&s.displacement_x, &s.displacement_z, &s.gap})
             if (!length->empty()) (*length)[i] *= cosine;
     }
+    if (is_coupled() && !s.friction_bound.empty()) {
+        // Solvers bound what is pressed along z beside the traction: mu p is told here.
+        std::vector<double> x(s.size());
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] = s.x(static_cast<int>(i));
+        const std::vector<double> y(x.size(), 0.);
+        friction_->law().bounds({s.normal_traction, x, y}, s.friction_bound);
+    }
     return s;
 }
 
 std::unique_ptr<contact::Model> ConformingModel::sibling(
     const contact::Case::Contact& options) const {
+    // The compliance of a press without friction knows of no force along the arc that carries.
+    if (options.coupling && !friction_) return nullptr;
     auto other = along_z_->sibling(options);
-    return other ? std::make_unique<ConformingModel>(std::move(other), radius_) : nullptr;
+    return other ? std::make_unique<ConformingModel>(std::move(other), radius_, friction_)
+                 : nullptr;
 }
 
 }  // namespace tricontact::fem

@@ -284,15 +284,19 @@ std::unique_ptr<contact::Model> make_section_model(const ModelKind& kind, const 
         return contact::make_substrate(of, false, std::move(relaxed), elastic);
     };
     std::shared_ptr<const contact::FrictionLaw> friction = c.friction.law();
+    std::shared_ptr<const ConformingFriction> conforming;
     if (c.has_hole() && c.contact.coupling)
-        friction = std::make_shared<ConformingFriction>(friction, c.indenter.radius);
+        friction = conforming =
+            std::make_shared<const ConformingFriction>(friction, c.indenter.radius);
     auto model =
         std::make_unique<contact::SurfaceModel>(name, *substrate(c, half), c.make_indenter(),
                                                 std::move(friction), settings.tolerance, c.contact);
     model->set_larger_grid(
         [=, room = half](const contact::ContactAtEdge&) mutable
         -> std::unique_ptr<contact::Substrate> { return substrate(c, room *= section_growth); });
-    if (c.has_hole()) return std::make_unique<ConformingModel>(std::move(model), c.indenter.radius);
+    if (c.has_hole())
+        return std::make_unique<ConformingModel>(std::move(model), c.indenter.radius,
+                                                 std::move(conforming));
     if (solid == Solid::plane_strain) return model;
     return std::make_unique<ModelOfRevolution>(std::move(model),
                                                c.materials().effective_shear_modulus());

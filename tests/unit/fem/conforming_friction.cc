@@ -20,7 +20,7 @@ using namespace planar_test;
 using contact::ContactState;
 using contact::Surface;
 
-constexpr double R = 10, clearance = .05, mu = .3;  // mm
+constexpr double R = 10, clearance = .05;  // mm
 
 struct Radii {
     double pin, hub, plate;
@@ -38,17 +38,17 @@ std::vector<CondensedSection> pin_and_hole(const Sizes& sizes, const Radii& r,
 }
 
 fem::ConformingModel model_of(const std::vector<CondensedSection>& bodies, double radius,
-                              double hole_radius) {
+                              double hole_radius, double mu) {
     PairOptions options{.radius = radius};
     options.conforming = options.with_friction = true;
     contact::Friction friction;
     friction.coefficient = mu;
+    const auto along_arc = std::make_shared<const fem::ConformingFriction>(friction.law(), radius);
     auto along_z = std::make_unique<contact::SurfaceModel>(
         "fem-plane", pair_compliance(bodies, grid_between(bodies), options),
-        std::make_unique<contact::PinInHole>(radius, hole_radius),
-        std::make_shared<fem::ConformingFriction>(friction.law(), radius), 1e-6,
+        std::make_unique<contact::PinInHole>(radius, hole_radius), along_arc, 1e-6,
         contact::Case::Contact{});
-    return {std::move(along_z), radius};
+    return {std::move(along_z), radius, along_arc};
 }
 
 contact::StepRecord press_to(contact::Model& model, const contact::NormalControl& control) {
@@ -78,6 +78,7 @@ std::array<std::vector<double>, 2> displaced(const contact::Compliance& own, con
 }
 
 struct State {
+    double mu;
     Surface surface;
     std::vector<double> moved;  // of the pin over the hole along the arc [mm]
 };
@@ -86,6 +87,7 @@ void expect_contact(const contact::Compliance& own, double depth, double force, 
                     State& now) {
     const contact::PinInHole shape(R, R + clearance);
     const Surface& s = now.surface;
+    const double mu = now.mu;
     const auto u = displaced(own, s);
     now.moved.resize(s.size());
     double carried = 0, peak = 0;
@@ -121,14 +123,15 @@ void expect_contact(const contact::Compliance& own, double depth, double force, 
 TEST(FemConformingFriction, SolvesContactAlongArcAndRadius) {
     const auto bodies = pin_and_hole({24, .5, 1.3, 3}, {R, 2, 100}, {2, .3}, {4, .45});
     const auto own = pair_compliance(bodies, grid_between(bodies), {.radius = R});
-    fem::ConformingModel model = model_of(bodies, R, R + clearance);
-    State before;
+    constexpr double mu = .3;
+    fem::ConformingModel model = model_of(bodies, R, R + clearance, mu);
+    State before{};
     std::vector<double> forces;
     double dissipated = 0;
     for (const double depth : {.02, .04, .06, .08, .06, .04, .02}) {
         const contact::StepRecord record =
             press_to(model, {contact::NormalControl::Kind::indentation, depth});
-        State now{model.surface(), {}};
+        State now{mu, model.surface(), {}};
         expect_contact(*own, depth, record.normal_force, before, now);
         const std::size_t n = now.surface.size();
         for (std::size_t i = 0; i < n; ++i)
@@ -146,6 +149,55 @@ TEST(FemConformingFriction, SolvesContactAlongArcAndRadius) {
     for (const auto& check : model.audit().checks()) EXPECT_TRUE(check.passed()) << check.name;
 }
 
+// Where mu tan(theta) is above 1 as well: the same equations hold. A pin that is taken back jams
+// there, which Coulomb's law leaves undetermined; and where pressures and tractions do not settle,
+// what to do is said.
+TEST(FemConformingFriction, PressesWhereAPinThatIsTakenBackJams) {
+    const auto bodies = pin_and_hole({24, .6, 1.5, 3}, {R, 2, 100}, {2, .3}, {4, .45});
+    const auto own = pair_compliance(bodies, grid_between(bodies), {.radius = R});
+    constexpr double mu = .3, step = .04;
+    fem::ConformingModel model = model_of(bodies, R, R + clearance, mu);
+    State before{};
+    for (int k = 1; k < 10; ++k) {
+        const contact::StepRecord record =
+            press_to(model, {contact::NormalControl::Kind::indentation, k * step});
+        State now{mu, model.surface(), {}};
+        expect_contact(*own, k * step, record.normal_force, before, now);
+        before = std::move(now);
+    }
+    double edge = 0;
+    for (std::size_t i = 0; i < before.surface.size(); ++i)
+        if (before.surface.normal_traction[i] > 0)
+            edge = std::max(edge, before.surface.x(static_cast<int>(i)) / R);
+    EXPECT_GT(mu * std::tan(edge), 1.1);
+    EXPECT_THROW(press_to(model, {contact::NormalControl::Kind::indentation, 8 * step}),
+                 contact::InputError);
+    fem::ConformingModel rough = model_of(bodies, R, R + clearance, 1.5);
+    try {
+        press_to(rough, {contact::NormalControl::Kind::indentation, .1});
+        FAIL() << "it converges";
+    } catch (const contact::NotConverged& error) {
+        EXPECT_NE(std::string(error.what()).find("lower friction.coefficient"), std::string::npos);
+    }
+}
+
+// Friction needs another compliance than a press without it: such a model has no coupled sibling.
+TEST(FemConformingFriction, IsNoSiblingOfAPressWithoutIt) {
+    const auto bodies = pin_and_hole({12, .6, 1.5, 3}, {R, 2, 100}, {2, .3}, {4, .45});
+    PairOptions options{.radius = R};
+    options.conforming = true;
+    const fem::ConformingModel alone(
+        std::make_unique<contact::SurfaceModel>(
+            "fem-plane", pair_compliance(bodies, grid_between(bodies), options),
+            std::make_unique<contact::PinInHole>(R, R + clearance), contact::Friction{}.law(), 1e-6,
+            contact::Case::Contact{.coupling = false}),
+        R, nullptr);
+    EXPECT_EQ(alone.sibling({.coupling = true}), nullptr);
+    EXPECT_NE(alone.sibling({.coupling = false}), nullptr);
+    const fem::ConformingModel rough = model_of(bodies, R, R + clearance, .3);
+    EXPECT_NE(rough.sibling({.coupling = true}), nullptr);
+}
+
 // CalculiX 2.20 on the benchmark's deck with 8 elements in a, face to face with its own friction on
 // displaced surfaces, mu = .3, its load in 10 increments: depths of 19.004 um without friction and
 // 18.705 um with it, 54.0 MPa in the middle, tractions of 4.61, 8.33 and 12.06 MPa at 7.5, 11.25
@@ -153,7 +205,7 @@ TEST(FemConformingFriction, SolvesContactAlongArcAndRadius) {
 TEST(FemConformingFriction, IsThatOfCalculix) {
     const auto bodies =
         pin_and_hole({18, 8. / 18, 1.2, 3}, {9.98, .2, 998}, {210000, .3}, {70000, .45});
-    fem::ConformingModel model = model_of(bodies, 9.98, 10);
+    fem::ConformingModel model = model_of(bodies, 9.98, 10, .3);
     contact::StepRecord record;
     for (int k = 1; k <= 10; ++k)
         record = press_to(model, {contact::NormalControl::Kind::force, 581.0237 * k / 10});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <numbers>
 #include <sstream>
 
@@ -154,6 +155,40 @@ TEST(RoundDeck, PinTouchesTheHole) {
     EXPECT_EQ(on_hole, on_pin);
     EXPECT_GT(on_hole, 20);
     EXPECT_EQ(both, 2);
+}
+
+// A ring without a slit: its area, and n(n + 1) + n(n) nodes of n elements around and m deep,
+// middles with them. Friction begins with the second step, as the case has it.
+TEST(RoundDeck, CylinderAroundItsHub) {
+    Reference reference = reference_of("cattaneo_two_cylinders", .5e-3);
+    const DeckModel model =
+        make_deck_model(reference, {.code = "calculix", .problem = "cattaneo_two_cylinders"});
+    for (const int level : {0, 1}) {
+        const DeckMesh mesh = bodies_of(model, 4, level, true);
+        const double ring = std::numbers::pi * (100 - 9);
+        EXPECT_NEAR(volume_of(mesh, mesh.n_body_elements, mesh.n_elements()), ring, 1e-3 * ring);
+        std::map<int, int> corners;
+        for (int e = mesh.n_body_elements; e < mesh.n_elements(); ++e)
+            for (int k = 0; k < 4; ++k) ++corners[mesh.elements[e][k]];
+        // Two elements meet in a node of the surface or the hub, four in all others.
+        for (const auto& [node, n] : corners) {
+            const double r =
+                std::hypot(mesh.nodes[node][0], mesh.nodes[node][1] - radius + model.overlap);
+            EXPECT_EQ(n, is_near(r, radius) || is_near(r, 3) ? 2 : 4) << r;
+        }
+    }
+    const auto text_of = [&](const char* code) {
+        return write_deck(reference, {.code = code, .levels = 1, .problem = "p"}).front().text;
+    };
+    for (const char* code : {"calculix", "abaqus"}) {
+        const std::string text = text_of(code);
+        EXPECT_LT(text.find("*FRICTION"), text.find("** step 1"));
+        EXPECT_GT(text.find("*CHANGE FRICTION, INTERACTION=CONTACT\n*FRICTION"),
+                  text.find("** step 2"));
+    }
+    EXPECT_THROW(text_of("freefem"), contact::InputError);
+    reference = reference_of("carter_two_cylinders", .5e-3);
+    EXPECT_THROW(text_of("calculix"), contact::InputError);
 }
 
 TEST(RoundDeck, SaysWhatNoDeckHas) {
