@@ -142,6 +142,9 @@ void check_of_revolution(const Case& c, const Document& document, const Refusal&
     if (c.adhesion && (c.indenter.body || c.has_rigid_substrate))
         refuse_key("adhesion.work", "computes attraction between a rigid indenter and a layer",
                    "leave out indenter.body or [adhesion]");
+    if (c.adhesion && !c.friction.is_coulomb())
+        refuse_key("adhesion.work", "has Coulomb's friction alone beside attraction",
+                   "give friction.coefficient alone, or leave out [adhesion]");
     check_rolling_section(c, document, refuse_key);
     if (c.load.is_tangential())
         refuse_key(tangential_key(c), "presses along the axis alone", "set it to 0, or take fem");
