@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "contact/base/error.h"
+#include "contact/compliances/radial_points.h"
 
 namespace tricontact::contact {
 
@@ -16,9 +17,15 @@ namespace {
 /// Of tensions, over sigma_0: an exponential law ends where it has fallen to that.
 constexpr double no_tension = 1e-7;
 
+/// The front of a tension crosses the whole circle of a ring at once, and no place of it is ahead
+/// of others: it is held by single rings unless it is wider. On 16 to 47 elements per radius forces
+/// of pull-off scatter by 2, 1 and .3 % where the tension acts over 4, 6 and 8 rings.
+constexpr double spacings_of_a_circle = 8. / 3;
+
 }  // namespace
 
 double point_distance(const ContactPoints& points) {
+    if (are_radii(points)) return spacings_of_a_circle * points.spacing[0];
     const double area = std::accumulate(points.area.begin(), points.area.end(), 0.);
     const double n = static_cast<double>(points.size());
     if (points.line_length > 0 && points.n_y == 1) return points.spacing[0];
@@ -79,7 +86,8 @@ Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, 
     if (length < least_points_of_range * size)
         throw InputError(fmt::format(
             "adhesion: the tension of {:.4g} Pa acts over {:.3g} m beside the contact, less than "
-            "two cells, or two thirds of elements, of {:.3g} m; make those finer, or the range "
+            "two cells, or two thirds of elements (of sections 4/3), of {:.3g} m; make those "
+            "finer, or the range "
             "longer, or set it to 0",
             strength, length, size));
     return {.strength = strength,

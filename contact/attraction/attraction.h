@@ -30,7 +30,7 @@ struct Attraction {
 };
 
 /// Side of a point's surface [m]; of nodes of elements that of the largest, two thirds of an
-/// element's.
+/// element's. Of a contact of revolution by its radius 8/3 of the distance of nodes.
 double point_distance(const ContactPoints& points);
 
 /// In points, of the zone beside the contact in which a tension acts that stands for range 0.

@@ -7,6 +7,7 @@
 
 #include "contact/base/memory.h"
 #include "contact/compliances/blocks.h"
+#include "contact/compliances/radial_points.h"
 
 namespace tricontact::contact {
 
@@ -56,10 +57,9 @@ struct OwnMoments {
     }
 };
 
-// A row of points without a length along y is the radius of a contact of revolution: it begins at
-// the axis.
+// A radius begins at the axis, which is no edge.
 bool edge_of_grid_carries(const ContactPoints& points, const std::vector<double>& pressure) {
-    const bool radius = points.n_y == 1 && points.line_length == 0;
+    const bool radius = are_radii(points);
     for (int j = 0; j < points.n_y; ++j)
         for (int i = 0; i < points.n_x; ++i) {
             const bool edge_in_y = (j == 0 && !points.mirrored) || j == points.n_y - 1;

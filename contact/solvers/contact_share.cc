@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "contact/compliances/radial_points.h"
+
 namespace tricontact::contact {
 
 namespace {
@@ -253,7 +255,9 @@ double ContactShare::part_inside(int point, const Edge& edge) const {
     }
     // The nodes of a line have Simpson's weights, cells of a grid are alike.
     double half = .5;
-    if (points_.n_y == 1) {
+    if (are_radii(points_)) {
+        half *= ring_width(points_, point);
+    } else if (points_.n_y == 1) {
         double all = 0;
         for (const double area : points_.area) all += area;
         half *= points_.area[point] * static_cast<double>(points_.size()) / all;

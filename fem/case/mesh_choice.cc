@@ -49,37 +49,6 @@ Vector2 path_extent(const Case& c, double contact_radius) {
     return {reach[0], contact::is_mirror_symmetric(c) ? 0 : reach[1]};
 }
 
-/// Pressure or tension on the points of surfaces that attract each other. Elements of the probe are
-/// too large for short ranges: then it has none, and the tension acts where gaps are within them.
-std::vector<double> attracted_by(const Case& c, const contact::Compliance& compliance,
-                                 const std::vector<double>& height,
-                                 const contact::NormalControl& control) {
-    const double modulus = c.materials().effective_modulus();
-    contact::AttractionLaw law = c.adhesion->attraction();
-    contact::Attraction finite{
-        .strength = 0, .distance = law.distance, .decays = law.decays, .is_short_ranged = false};
-    if (law.distance > 0) finite.strength = law.work / law.distance;
-    const auto settled = [&](double ring) {
-        return contact::AdhesiveNormal(contact::models::fem, compliance,
-                                       attraction_on(compliance.points(), law, modulus, ring),
-                                       probe_tolerance)
-            .settle(height, control, {});
-    };
-    contact::NormalSolution s;
-    try {
-        s = settled(probe_ring);
-    } catch (const contact::InputError&) {
-        law.distance = 0;
-        s = settled(contact::least_points_of_range);
-    }
-    for (std::size_t i = 0; i < s.tension.size(); ++i) {
-        const double gap = s.displacement[i] + height[i] - s.indentation;
-        s.tension[i] = std::max(
-            {s.tension[i], s.pressure[i], finite.strength > 0 ? finite.tension(gap, 0) : 0});
-    }
-    return s.tension;
-}
-
 std::vector<double> carried_by(const Case& c, const contact::Compliance& compliance,
                                const std::vector<double>& height,
                                const contact::NormalControl& control) {
@@ -278,6 +247,35 @@ auto made_or_size_named(const Case& c, const meshes::LayerMeshSpec& spec, const 
 }
 
 }  // namespace
+
+std::vector<double> attracted_by(const Case& c, const contact::Compliance& compliance,
+                                 const std::vector<double>& height,
+                                 const contact::NormalControl& control) {
+    const double modulus = c.materials().effective_modulus();
+    contact::AttractionLaw law = c.adhesion->attraction();
+    contact::Attraction finite{
+        .strength = 0, .distance = law.distance, .decays = law.decays, .is_short_ranged = false};
+    if (law.distance > 0) finite.strength = law.work / law.distance;
+    const auto settled = [&](double ring) {
+        return contact::AdhesiveNormal(contact::models::fem, compliance,
+                                       attraction_on(compliance.points(), law, modulus, ring),
+                                       probe_tolerance)
+            .settle(height, control, {});
+    };
+    contact::NormalSolution s;
+    try {
+        s = settled(probe_ring);
+    } catch (const contact::InputError&) {
+        law.distance = 0;
+        s = settled(contact::least_points_of_range);
+    }
+    for (std::size_t i = 0; i < s.tension.size(); ++i) {
+        const double gap = s.displacement[i] + height[i] - s.indentation;
+        s.tension[i] = std::max(
+            {s.tension[i], s.pressure[i], finite.strength > 0 ? finite.tension(gap, 0) : 0});
+    }
+    return s.tension;
+}
 
 std::unique_ptr<contact::Compliance> make_fitting(const Case& c, const meshes::LayerMeshSpec& spec,
                                                   LayerCondenser& condenser) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "contact/case.h"
 #include "contact/load_path.h"
 #include "fem/case/layer_condenser.h"
@@ -18,6 +20,12 @@ meshes::LayerMeshSpec spec_for(const contact::Case& c, double size, double conta
 /// reaches the edge.
 double probe_radius(const contact::Case& c, const contact::NormalControl& control,
                     LayerCondenser& condenser);
+
+/// Pressure or tension on the points of surfaces that attract each other, on coarse elements: too
+/// large for short ranges. Then there is none, and the tension acts where gaps are within them.
+std::vector<double> attracted_by(const contact::Case& c, const contact::Compliance& compliance,
+                                 const std::vector<double>& height,
+                                 const contact::NormalControl& control);
 
 /// Element size for the case's fem.accuracy [m]: the layer is pressed on two coarse meshes, and
 /// their difference in indentation (or force), peak pressure and unit shift extrapolated with

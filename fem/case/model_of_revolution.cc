@@ -110,7 +110,8 @@ Surface ModelOfRevolution::surface() const {
     s.offset = radial.offset;
     for (const auto field :
          {&Surface::normal_traction, &Surface::friction_bound, &Surface::displacement_z,
-          &Surface::gap, &Surface::dissipation, &Surface::slip_path, &Surface::friction_work})
+          &Surface::gap, &Surface::dissipation, &Surface::slip_path, &Surface::friction_work,
+          &Surface::tension, &Surface::separation_work})
         s.*field = grid.even(radial.*field);
     const auto turn = [&](auto x, auto y) {
         s.*x = grid.component(radial.*x, false);

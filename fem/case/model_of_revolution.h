@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "contact/surface_model.h"
 
@@ -35,6 +36,7 @@ class ModelOfRevolution final : public contact::Model {
     double limit_tangential_ratio() const override { return radial_->limit_tangential_ratio(); }
     void start_limit() override { radial_->start_limit(); }
     std::unique_ptr<contact::Model> sibling(const contact::Case::Contact& options) const override;
+    std::optional<contact::PullOff> pull_off() const override { return radial_->pull_off(); }
     std::string write_state() const override { return radial_->write_state(); }
     void read_state(std::string_view bytes) override { radial_->read_state(bytes); }
     const contact::Audit& audit() const override { return radial_->audit(); }

@@ -15,6 +15,7 @@
 #include "fem/case/conforming_friction.h"
 #include "fem/case/conforming_model.h"
 #include "fem/case/indenter_body.h"
+#include "fem/case/mesh_choice.h"
 #include "fem/case/model_of_revolution.h"
 #include "fem/planar/pair.h"
 #include "fem/planar/sections.h"
@@ -42,6 +43,7 @@ constexpr double section_growth = 1.5;  // of the room when the contact has reac
 constexpr int probing_elements = 8;     // across the half width that is expected
 constexpr int most_probes = 20;
 constexpr int fewest_elements = 24;
+constexpr int fewest_attracted = 60;  // as a contact lets go its radius is about half of it
 constexpr double widest_angle = 88 * std::numbers::pi / 180;  // of a contact in a hole
 constexpr double far_side = 20;  // of the layer's side from the patch, in thicknesses
 
@@ -200,14 +202,22 @@ std::unique_ptr<planar::SectionCompliance> compliance_of(const Case& c, Solid so
         line ? 1 : c.materials().effective_modulus() / c.materials().effective_shear_modulus();
     options.is_whole_face = patch.is_whole_face;
     options.first_presses = c.indenter.body.has_value();
-    return pair_compliance(bodies, grid_between(bodies), options);
+    return pair_compliance(
+        bodies, c.adhesion ? planar::rings_on_nodes(bodies) : grid_between(bodies), options);
 }
 
-contact::NormalSolution press(const Case& c, const contact::Compliance& compliance) {
+/// Half width or radius of the contact [m], 0 where it reaches the edge of the points; of surfaces
+/// that attract each other as far as they do.
+double pressed_radius(const Case& c, const contact::Compliance& compliance) {
     contact::NormalControl hardest = contact::press_step(c).normal;
     hardest.value *= contact::crest_factor(c);
-    const contact::NormalSolver solver(compliance, 1e-6);
-    return solver.solve(heights_over(compliance.points(), *c.make_indenter(), {0, 0}), hardest);
+    const contact::ContactPoints& points = compliance.points();
+    const auto height = heights_over(points, *c.make_indenter(), {0, 0});
+    const auto carries =
+        c.adhesion ? attracted_by(c, compliance, height, hardest)
+                   : contact::NormalSolver(compliance, 1e-6).solve(height, hardest).pressure;
+    if (reaches_edge(points, carries)) return 0;
+    return c.adhesion ? counted_radius(points, carries) : contact_radius(points, carries, {0, 0});
 }
 
 /// Half width or radius of the contact under the case's hardest load [m], on coarse elements.
@@ -218,13 +228,11 @@ double probed_radius(const Case& c, Solid solid) {
     for (int k = 0; k < most_probes; ++k, room *= section_growth) {
         room = std::min(room, widest);
         const auto compliance = compliance_of(c, solid, patch_of(c, room, room / probing_elements));
-        const auto solution = press(c, *compliance);
-        const contact::ContactPoints& points = compliance->points();
-        if (reaches_edge(points, solution.pressure)) {
+        const double radius = pressed_radius(c, *compliance);
+        if (radius == 0) {
             if (room >= widest) refuse_too_large(c, room);
             continue;
         }
-        const double radius = contact_radius(points, solution.pressure, {0, 0});
         if (radius > room / 4) return radius;
         room = 2 * radius / section_growth;
     }
@@ -245,8 +253,10 @@ Solid solid_of(const ModelKind& kind) {
 }
 
 /// Of elements, if the case does not give it, for a contact of this radius [m].
-double chosen_size(const Settings& settings, double radius) {
-    return radius / (settings.accuracy ? elements_for(*settings.accuracy) : fewest_elements);
+double chosen_size(const Case& c, double radius) {
+    const auto& accuracy = c.of<Settings>().accuracy;
+    const int n = accuracy ? elements_for(*accuracy) : fewest_elements;
+    return radius / (c.adhesion ? std::max(n, fewest_attracted) : n);
 }
 
 }  // namespace
@@ -254,7 +264,7 @@ double chosen_size(const Settings& settings, double radius) {
 double section_size(const ModelKind& kind, const Case& c) {
     require_bodies(c, kind);
     const Settings& settings = c.of<Settings>();
-    return settings.size ? *settings.size : chosen_size(settings, probed_radius(c, solid_of(kind)));
+    return settings.size ? *settings.size : chosen_size(c, probed_radius(c, solid_of(kind)));
 }
 
 std::unique_ptr<contact::Model> make_section_model(const ModelKind& kind, const Case& c,
@@ -264,14 +274,15 @@ std::unique_ptr<contact::Model> make_section_model(const ModelKind& kind, const 
     const std::string name = kind.name;
     const double radius = probed_radius(c, solid);
     const Settings& settings = c.of<Settings>();
-    const double size = settings.size ? *settings.size : chosen_size(settings, radius);
+    const double size = settings.size ? *settings.size : chosen_size(c, radius);
     if (size > radius / 2)
         throw contact::InputError(fmt::format(
             "fem.size: {}: fewer than 2 elements across the contact's {:.4g} m; reduce it", name,
             radius));
     const double margin = solid == Solid::of_revolution ? corner * section_margin : section_margin;
-    const double half =
-        std::min(margin * radius + contact::path_reach(c, radius)[0], widest_patch(c) - size);
+    const double ring = c.adhesion ? contact::points_without_range * size : 0;
+    const double half = std::min(margin * (radius + ring) + contact::path_reach(c, radius)[0],
+                                 widest_patch(c) - size);
     if (say && !settings.size)
         say(fmt::format("{}: elements of {:.4g} mm, {:.3g} across the contact", name, 1e3 * size,
                         radius / size));
@@ -298,6 +309,7 @@ std::unique_ptr<contact::Model> make_section_model(const ModelKind& kind, const 
         return std::make_unique<ConformingModel>(std::move(model), c.indenter.radius,
                                                  std::move(conforming));
     if (solid == Solid::plane_strain) return model;
+    if (c.adhesion) model->attract(c.adhesion->attraction(), c.materials().effective_modulus());
     return std::make_unique<ModelOfRevolution>(std::move(model),
                                                c.materials().effective_shear_modulus());
 }

@@ -157,6 +157,17 @@ ContactGrid mortar(const std::vector<CondensedSection>& bodies) {
     return grid;
 }
 
+ContactGrid rings_on_nodes(const std::vector<CondensedSection>& bodies) {
+    const CondensedSection& body = bodies.front();
+    ContactGrid grid;
+    grid.along.assign(body.along.begin() + 1, body.along.end());
+    Entries entries = transfer_to(body, body.along);
+    for (ContactGrid::Entry& entry : entries) entry.point = std::max(entry.point - 1, 0);
+    grid.transfer.assign(bodies.size(), entries);
+    grid.area = column_sums(grid.transfer.front(), grid.size());
+    return grid;
+}
+
 ContactGrid grid_between(const std::vector<CondensedSection>& bodies) {
     return nodes_meet(bodies) ? points_on_nodes(bodies) : mortar(bodies);
 }

@@ -41,6 +41,11 @@ ContactGrid points_on_nodes(const std::vector<CondensedSection>& bodies);
 /// share.
 ContactGrid mortar(const std::vector<CondensedSection>& bodies);
 
+/// Rings about the axis, for a tension over the gap: linear functions between the nodes of a body
+/// of revolution, that of the first ring 1 up to the axis. They are all as wide; the weights of
+/// nodes alternate from 1 to 2, which holds the front of a tension.
+ContactGrid rings_on_nodes(const std::vector<CondensedSection>& bodies);
+
 /// The grid for these bodies: `points_on_nodes` where they meet.
 ContactGrid grid_between(const std::vector<CondensedSection>& bodies);
 

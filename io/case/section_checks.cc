@@ -81,7 +81,7 @@ void check_rolling_section(const Case& c, const Document& document, const Refusa
     if (c.tractive_rolling)
         refuse_key("tractive_rolling.distance", rule + "[tractive_rolling]",
                    "leave that section out, or take bem");
-    if (c.prescribed_path)
+    if (c.prescribed_path && !c.adhesion)
         refuse_key(path_key(document), rule + "path", "leave it out, or take bem or fem");
 }
 
@@ -139,6 +139,12 @@ void check_of_revolution(const Case& c, const Document& document, const Refusal&
                    c.is_line_contact() ? "take fem-plane" : "take bem or fem");
     if (c.friction.map)
         refuse_key("friction.map", "has the same friction all around its axis", "leave it out");
+    if (c.adhesion && (c.indenter.body || c.has_rigid_substrate))
+        refuse_key("adhesion.work", "computes attraction between a rigid indenter and a layer",
+                   "leave out indenter.body or [adhesion]");
+    if (c.adhesion && !c.friction.is_coulomb())
+        refuse_key("adhesion.work", "has Coulomb's friction alone beside attraction",
+                   "give friction.coefficient alone, or leave out [adhesion]");
     check_rolling_section(c, document, refuse_key);
     if (c.load.is_tangential())
         refuse_key(tangential_key(c), "presses along the axis alone", "set it to 0, or take fem");

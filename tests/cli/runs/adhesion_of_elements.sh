@@ -22,14 +22,32 @@ surface = open("out/fem/surface.ex2", "rb").read()
 assert all(field in surface for field in (b"tension_Pa", b"separation_work_J_per_m2", b"attraction_state"))
 PYTHON
 
-# 2. What elements do not compute is refused by name.
+# 2. A section, 60 elements across the pressed contact, along the whole path: it lets go within 1 %, and what it sets free closes
+# the balance.
+"$program" run "$case" --models fem-axisymmetric,mdr-layer "${elements[@]:0:4}" --set path.steps=5 --output section --no-studies --quiet \
+    >text 2>&1 || complain "no section: $(cat text)"
+"$python" - <<'PYTHON' || complain "section"
+import json
+models = json.load(open("section/summary.json"))["models"]
+section, exact = models["fem-axisymmetric"], models["mdr-layer"]
+assert abs(section["pull_off_force_N"] / exact["pull_off_force_N"] - 1) < .01
+assert abs(section["contact_radius_m"] / exact["contact_radius_m"] - 1) < .01
+for name in ("traction_follows_separation", "base_reaction"):
+    assert section["audit"][name]["passed"], name
+assert b"tension_Pa" in open("section/fem-axisymmetric/surface.ex2", "rb").read()
+PYTHON
+
+# 3. What elements do not compute is refused by name.
 refused() {
     local what=$1
     shift
-    "$program" check "$case" --set 'models=["fem"]' "${elements[@]}" "$@" >text 2>&1 && complain "$what is taken"
+    "$program" check "$case" --set "models=[\"${model:-fem}\"]" "${elements[@]}" "$@" >text 2>&1 && complain "$what is taken"
     grep -q "$what" text || complain "$what: $(cat text)"
 }
 refused "iterative solver does not compute surfaces that attract each other" --set 'fem.solver="iterative"'
+model=fem-axisymmetric refused "fem-axisymmetric has Coulomb's friction alone beside attraction" \
+    --set 'friction.shear_strength="10 kPa"'
+model=fem-plane refused "fem-plane knows no surfaces that attract each other"
 refused "finite strains know no surfaces that attract each other" --set 'substrate.material="neo-hookean"'
 "$program" run "$case" --models fem "${elements[@]}" --set 'adhesion.range="1 nm"' --output short --quiet >text 2>&1 &&
     complain "a range of 1 nm is resolved"
