@@ -26,7 +26,7 @@ std::optional<double> unit_dissipation(const Subject& s) {
     const auto& [c, history, loops] = s;
     const double f = oscillating_ratio(s);
     if (!in_unit_range(f) || !c.friction.is_coulomb() || c.interface.is_elastic() ||
-        c.has_bulk_stress())
+        c.has_bulk_stress() || c.adhesion)
         return {};
     if (c.is_cylindrical()) {
         const double bound = c.friction_coefficient() * history.scales.normal_force;
