@@ -27,10 +27,10 @@ constexpr double least_drawn = 1e-9;   // of the largest value: rounding
 double contact_reach(const SurfaceDifference& d) {
     double reach = 0, largest = 0;
     for (const Surface* s : {&d.a, &d.b})
-        for (const double p : s->normal_traction) largest = std::max(largest, p);
+        for (const double p : s->normal_traction) largest = std::max(largest, std::abs(p));
     for (const Surface* s : {&d.a, &d.b})
         for (std::size_t k = 0; k < s->normal_traction.size(); ++k) {
-            if (s->normal_traction[k] <= 1e-6 * largest) continue;
+            if (std::abs(s->normal_traction[k]) <= 1e-6 * largest) continue;
             const auto n_x = static_cast<std::size_t>(s->n_x);
             reach = std::max({reach, std::abs(s->x(static_cast<int>(k % n_x)) - s->offset[0]),
                               std::abs(s->y(static_cast<int>(k / n_x)) - s->offset[1])});
@@ -185,6 +185,7 @@ std::vector<std::string> difference_files(const std::vector<std::string>& models
 
 std::vector<report::Figure> difference_figures(const SurfaceDifference& d, const std::string& id) {
     std::vector<report::Figure> figures;
+    if (!(contact_reach(d) > 0)) return figures;  // a single point, as surfaces part
     const double p0 = d.pressure.over;
     for (const DrawnField& drawn :
          {DrawnField{"pressure", "pressure", "p", &Surface::normal_traction, d.pressure},
