@@ -37,6 +37,12 @@ for name in ("traction_follows_separation", "base_reaction"):
 assert b"tension_Pa" in open("section/fem-axisymmetric/surface.ex2", "rb").read()
 PYTHON
 
+# A path that ends as the surfaces part, where one model touches at a point: its figures are drawn.
+sed '/^\[path\]/,$d' "$case" >parts.toml
+printf '[path]\nsteps = 2\ntable = """\nindentation [um]\n0\n4.27394\n0\n"""\n' >>parts.toml
+"$program" run parts.toml --models fem-axisymmetric,mdr-layer --set contact.coupling=false --set 'substrate.thickness="0.071 mm"' \
+    --set 'fem.size="5.9 um"' --no-studies --output parts --quiet >text 2>&1 || complain "no report of surfaces that part: $(cat text)"
+
 # 3. What elements do not compute is refused by name.
 refused() {
     local what=$1
