@@ -23,17 +23,6 @@ constexpr std::size_t least_for_drift = 4;
 // Of a parameter, over which what it does to a loop's friction is taken.
 constexpr double largest_change = .05;
 
-/// Polygon of forces over shifts, closed: ∮ F dU.
-double polygon(const LoopRows& rows, std::span<const double> forces) {
-    double work = 0;
-    const std::size_t n = forces.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t next = (i + 1) % n;
-        work += (forces[i] + forces[next]) / 2 * (rows.shifts[next] - rows.shifts[i]);
-    }
-    return work;
-}
-
 /// One table at work: rows with the errors of the fit.
 struct TableErrors {
     const Table& table;
@@ -44,14 +33,14 @@ struct TableErrors {
     LoopRows rows(const MeasuredLoop& loop) const { return rows_of(table, loop, errors); }
 };
 
-/// The measured polygon and what the fitted loop has beyond the chords of its rows; errors of the
-/// rows count by half the shift of their neighbours, those of shifts by the slope, as residuals
-/// have them.
+/// The work around the measured rows and what the fitted loop has beyond the chords of its rows;
+/// errors of the rows count by half the shift of their neighbours, those of shifts by the slope, as
+/// residuals have them.
 statistics::Estimate energy_of(const TableErrors& at, const LoopRows& rows, const FittedLoop& fit,
                                const LoopCurve& curve) {
-    const double sum = polygon(rows, rows.forces);
-    const double beyond =
-        std::abs(curve.energy(fit.state.amplitude, fit.state.friction)) - polygon(rows, fit.forces);
+    const double sum = work_around(rows.shifts, rows.forces);
+    const double beyond = std::abs(curve.energy(fit.state.amplitude, fit.state.friction)) -
+                          work_around(rows.shifts, fit.forces);
     double variance = 0;
     const std::size_t n = rows.shifts.size();
     for (std::size_t i = 0; i < n; ++i) {

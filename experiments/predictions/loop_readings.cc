@@ -6,6 +6,7 @@
 #include "contact/base/special_values.h"
 #include "experiments/identification/identification_models.h"
 #include "io/case/case_keys.h"
+#include "statistics/correlations.h"
 
 namespace tricontact::experiments {
 
@@ -40,13 +41,7 @@ struct FitErrors {
             keys.push_back(one.key);
             changes.push_back(value(rig_with(moved, found.free, values)) - best);
         }
-        const auto correlation = correlations.of(keys);
-        double variance = 0;
-        for (std::size_t i = 0; i < keys.size(); ++i)
-            for (std::size_t k = 0; k < keys.size(); ++k)
-                variance += changes[i] * changes[k] *
-                            (correlation.empty() ? double(i == k) : correlation[i][k]);
-        return variance;
+        return statistics::combined_variance(changes, correlations.of(keys));
     }
 };
 

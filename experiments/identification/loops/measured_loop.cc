@@ -99,20 +99,18 @@ void check_sign(const LoopColumns& columns, const MeasuredLoops& found) {
     constexpr double in_opposition = .5;  // a correlation
     double work = 0, around = 0, together = 0, of_shifts = 0, of_forces = 0;
     for (const MeasuredLoop& loop : found.loops) {
+        const auto forces = std::span(columns.forces).subspan(loop.first, loop.n),
+                   shifts = std::span(columns.shifts).subspan(loop.first, loop.n);
+        const auto [least, most] = std::ranges::minmax(forces);
+        work += work_around(shifts, forces);
+        around += 2 * loop.amplitude * (most - least);
         const double mean = mean_of(columns.forces, loop.first, loop.n);
-        double least = 0, most = 0;
-        for (std::size_t k = 0; k < loop.n; ++k) {
-            const std::size_t i = loop.first + k, next = loop.first + (k + 1) % loop.n;
-            const double u = columns.shifts[i] - loop.centre, f = columns.forces[i] - mean;
-            work += (columns.forces[i] + columns.forces[next]) / 2 *
-                    (columns.shifts[next] - columns.shifts[i]);
+        for (std::size_t i = 0; i < loop.n; ++i) {
+            const double u = shifts[i] - loop.centre, f = forces[i] - mean;
             together += f * u;
             of_shifts += u * u;
             of_forces += f * f;
-            least = std::min(least, f);
-            most = std::max(most, f);
         }
-        around += 2 * loop.amplitude * (most - least);
     }
     if (work < -clearly * around || together < -in_opposition * std::sqrt(of_shifts * of_forces))
         throw LoopFault{0, "tangential_force",
@@ -138,6 +136,16 @@ double MeasuredLoops::cycle_range() const {
         range = std::max(range, last - first);
     }
     return range;
+}
+
+double work_around(std::span<const double> shifts, std::span<const double> forces) {
+    double work = 0;
+    const std::size_t n = forces.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t next = (i + 1) % n;
+        work += (forces[i] + forces[next]) / 2 * (shifts[next] - shifts[i]);
+    }
+    return work;
 }
 
 MeasuredLoops measured_loops(const LoopColumns& columns) {

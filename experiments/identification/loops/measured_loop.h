@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace tricontact::experiments {
@@ -35,6 +36,8 @@ struct MeasuredLoops {
 struct LoopColumns {
     std::vector<double> cycles, shifts, forces, normal_forces, amplitudes;
 };
+/// Work around a loop [J], ∮ F dU: the polygon of its forces [N] over its shifts [m], closed.
+double work_around(std::span<const double> shifts, std::span<const double> forces);
 /// Why rows are no loops: at which row, of which column.
 struct LoopFault {
     std::size_t row = 0;
