@@ -62,6 +62,7 @@ void SteadySystem::set_zones(std::vector<std::uint8_t> slipping,
     sticks_.assign(compliance_.points().size(), 0);
     for (Eigen::Index k = 0; k < m; ++k) sticks_[active_[k]] = !slipping_[k];
     for (int d = 0; d < 2; ++d) {
+        if (!force_controlled_[d]) continue;
         VectorXd along = VectorXd::Zero(2 * m);
         along.segment(d * m, m).setOnes();
         answer_[d] = without_balance(projected(along));
@@ -185,7 +186,8 @@ VectorXd SteadySystem::preconditioned(const VectorXd& r) const {
     for (int d = 0; d < 2; ++d)
         if (force_controlled_[d]) missing[d] -= force[d];
     z.tail(2) = force_inverse_ * missing;
-    for (int d = 0; d < 2; ++d) z.head(2 * m) += z[2 * m + d] * answer_[d];
+    for (int d = 0; d < 2; ++d)
+        if (force_controlled_[d]) z.head(2 * m) += z[2 * m + d] * answer_[d];
     return z;
 }
 
