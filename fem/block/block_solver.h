@@ -31,7 +31,7 @@ class BlockSolver {
     struct Iterates;
     void precondition(double weight, std::span<const double> r, std::span<double> z);
     void set_residual(std::span<const double> forces, const std::vector<double>& x, Iterates& it);
-    int iterate_until(double goal, Iterates& it, std::vector<double>& x);
+    int iterate_until(double goal, int most, Iterates& it, std::vector<double>& x);
     bool iterate(Iterates& it, std::vector<double>& x);
     double norm(const Iterates& it) const;
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/base/error.h"
@@ -107,13 +108,15 @@ int iterations(double size, double bulk_ratio) {
     return solver.solve(force, 1e-8, x);
 }
 
-// Incompressible material is not felt, and compressible one hardly; half of the edge in the patch,
-// with steeper grading beside it, by less than a tenth.
-TEST(BlockSolver, IterationsHardlyDependOnSizeAndBulkModulus) {
-    const int coarse = iterations(1e-3, 1e6);
-    EXPECT_NEAR(iterations(1e-3, 1e2), coarse, .05 * coarse);
-    EXPECT_NEAR(iterations(1e-3, 1e15), coarse, 2);
-    EXPECT_NEAR(iterations(.5e-3, 1e6), coarse, .1 * coarse);
+// Neither incompressible material nor half and a quarter of the edge in the patch, with steeper
+// grading beside it, is felt.
+TEST(BlockSolver, IterationsDependNeitherOnSizeNorOnBulkModulus) {
+    std::vector<int> counts;
+    for (const double size : {1e-3, .5e-3, .25e-3})
+        for (const double ratio : {1e2, 1e6, 1e15}) counts.push_back(iterations(size, ratio));
+    const auto [least, most] = std::ranges::minmax(counts);
+    EXPECT_LE(most - least, 4);  // 2 about their middle
+    EXPECT_LE(most, 36);
 }
 
 TEST(BlockSolver, ThreadsChangeNoBit) {
