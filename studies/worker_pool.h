@@ -14,8 +14,8 @@ struct WorkerReport {
     bool killed = false;       ///< by a signal that others send, or the system for want of memory
 };
 
-/// Runs tasks in processes of their own, so that one that crashes takes no other with it; at most
-/// `n_workers` (at least 1) at a time, in the order given. One that was killed runs once more alone
+/// Runs tasks in other processes, short ones several after each other in one, so that one that
+/// crashes takes no other with it; at most `n_workers` (at least 1) at a time, in the order given. One that was killed runs once more alone
 /// after the others: for want of memory it may do better, and killed by hand it is no failure.
 /// `task` runs in the child and must not throw; `done` in this process, once for each, as they end.
 /// When this process ends, however, its children do. Other threads of this process must not hold

@@ -42,15 +42,8 @@ BlockGrid grid_of(const LayerProblem& problem) {
     return *grid;
 }
 
-/// Where the point is among the nodes on the surface.
 std::size_t node_at(const BlockGrid& grid, double x, double y) {
-    const auto at = [](const fem::BlockAxis& axis, double where) {
-        int nearest = 0;
-        for (int k = 0; k < axis.n_nodes(); ++k)
-            if (std::abs(axis.node(k) - where) < std::abs(axis.node(nearest) - where)) nearest = k;
-        return nearest;
-    };
-    return grid.node(at(grid.axes[0], x), at(grid.axes[1], y), grid.axes[2].n_nodes() - 1);
+    return grid.nearest_node({x, y, grid.axes[2].planes.back()});
 }
 
 /// Largest difference of the patch's displacements under unit forces on one of its points, over
