@@ -69,16 +69,16 @@ std::vector<Value> by_blocks(const Interior& interior, const std::vector<Value>&
 
 template <class Value>
 void ExodusFields::add_component(const std::string& name, std::size_t n, const Value& value) {
-    std::vector<float> values(n);
+    std::string bytes(n * sizeof(float), '\0');
     bool is_zero = true;
     for (std::size_t i = 0; i < n; ++i) {
-        values[i] = static_cast<float>(value(i));
-        is_zero = is_zero && values[i] == 0;
+        const auto single = static_cast<float>(value(i));
+        is_zero = is_zero && single == 0;
+        put_big_endian(single, bytes.data() + i * sizeof(float));
     }
-    const std::string once =
-        is_zero ? std::string(n, '\0') : big_endian(std::span<const float>(values));
-    std::string bytes;
-    for (int i = 0; i < copies_; ++i) bytes += once;
+    if (is_zero) bytes.assign(n, '\0');
+    const std::size_t once = bytes.size();
+    for (int i = 1; i < copies_; ++i) bytes.append(bytes, 0, once);
     fields_.push_back({name, is_zero, is_of_elements_, std::move(bytes)});
 }
 
