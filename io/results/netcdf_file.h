@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace tricontact::io {
@@ -20,9 +21,13 @@ std::size_t size_of(NetcdfType type);
 /// Writes the bytes of a number as the file has them: the most significant first.
 template <class T>
 void put_big_endian(T value, char* to) {
-    auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
-    if constexpr (std::endian::native == std::endian::little) std::ranges::reverse(raw);
-    std::memcpy(to, raw.data(), raw.size());
+    static_assert(sizeof(T) == 4 || sizeof(T) == 8);
+    using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+    auto bits = std::bit_cast<Bits>(value);
+    if constexpr (std::endian::native == std::endian::little)
+        bits = sizeof(T) == 4 ? __builtin_bswap32(static_cast<std::uint32_t>(bits))
+                              : __builtin_bswap64(bits);
+    std::memcpy(to, &bits, sizeof bits);
 }
 /// Those of several one after another.
 template <class T>
