@@ -158,6 +158,10 @@ int BlockSolver::solve(std::span<const double> forces, double tolerance, std::ve
     operator_.clear_held(it.residual);
     precondition(it.weight, it.residual, it.z);
     const double goal = tolerance * norm(it);
+    if (goal == 0) {
+        std::ranges::fill(x, 0.);
+        return 0;
+    }
     double last = 0;
     for (int k = 0;; it.weight *= 2) {
         set_residual(forces, x, it);

@@ -128,6 +128,9 @@ TEST(BlockSolver, AnUnreachableToleranceIsNotConverged) {
     const BlockGrid grid = grid_of(graded_layer(4e-3));
     BlockSolver solver(grid, 1);
     std::vector<double> force(solver.mixed().size()), x;
+    x.assign(force.size(), 1);
+    EXPECT_EQ(solver.solve(force, 1e-8, x), 0);
+    EXPECT_EQ(x, force);  // no forces, no displacements
     force[node_at(grid, 0, 0)] = 1;
     EXPECT_THROW(solver.solve(force, 1e-300, x), contact::NotConverged);
 }
