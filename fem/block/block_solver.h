@@ -12,7 +12,7 @@ namespace tricontact::fem {
 /// Displacements and pressures of a block under forces, without a factor: conjugate gradients of
 /// Bramble and Pasciak (1988) on the mixed form, preconditioned by FastDiagonalisation and then the
 /// mass of the pressures. Memory and work of an iteration grow with the unknowns; their number
-/// does not depend on size, grading and K/G.
+/// does not depend on the size of elements and K/G, and little on grading.
 class BlockSolver {
   public:
     BlockSolver(const BlockGrid& grid, int n_threads);
