@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <optional>
 #include <stdexcept>
 
 #include "fem/dissection_order.h"
@@ -122,13 +121,14 @@ void BodyPart::add_displacement(std::span<const double> forces, std::vector<doub
         if (unknown[u] >= 0) to[u] += sign[u] * displacement[unknown[u]];
 }
 
-std::vector<BodyPart> parts_of(const Discretisation& body, Elimination elimination) {
+std::vector<BodyPart> parts_of(const Discretisation& body, Elimination elimination,
+                               std::optional<int> half) {
     std::vector<BodyPart> parts;
     if (const std::optional<MirrorSymmetry> mirror = mirror_symmetry(body.space)) {
         const Halves halves(body, *mirror, elimination);
-        parts.push_back(halves.part({true, false, false}));
-        parts.push_back(halves.part({false, true, true}));
-    } else {
+        if (half != 1) parts.push_back(halves.part({true, false, false}));
+        if (half != 0) parts.push_back(halves.part({false, true, true}));
+    } else if (!half) {
         if (!body.held_if_odd.empty())
             throw std::logic_error("a body held by symmetry whose mesh no plane x = const mirrors");
         parts.push_back(whole(body, elimination));

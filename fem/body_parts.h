@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,8 +31,9 @@ struct BodyPart {
 /// the factors' contact unknowns told apart.
 enum class Elimination : std::uint8_t { contact_last, cheapest };
 
-/// The parts that make up all of a body's displacements, analysed but not factorised. Throws
-/// std::bad_alloc.
-std::vector<BodyPart> parts_of(const Discretisation& body, Elimination elimination);
+/// The parts that make up all of a body's displacements, analysed but not factorised; the even (0)
+/// or the odd part (1) alone, none if there are no such. Throws std::bad_alloc.
+std::vector<BodyPart> parts_of(const Discretisation& body, Elimination elimination,
+                               std::optional<int> half = {});
 
 }  // namespace tricontact::fem

@@ -141,7 +141,7 @@ void refuse_too_large(double needed) {
 // and the dense compliance will be. At the peak there are one factor and what earlier parts have
 // left.
 // Peak of what `condense_parts` will take on top of now.
-double predicted_bytes(const std::vector<BodyPart>& parts, std::size_t n_components) {
+double peak_bytes(const std::vector<BodyPart>& parts, std::size_t n_components) {
     const double compliance = 8. * static_cast<double>(n_components * n_components);
     double most = 0, kept = 0;
     for (const BodyPart& part : parts) {
@@ -152,13 +152,13 @@ double predicted_bytes(const std::vector<BodyPart>& parts, std::size_t n_compone
     return most;
 }
 
-// One after another, so that but one factor exists at a time.
+// One after another, so that but one factor exists at a time. The layer's missing reaction is what
+// the forces are that they have to carry.
 void condense_parts(std::vector<BodyPart> parts, const Discretisation& body,
                     CondensedLayer& layer) {
     const Unknowns& unknowns = body.unknowns;
     const std::size_t n = unknowns.of_contact.size();
     EvenPress even{body.even_load, std::vector<double>(body.even_load.size(), 0.)};
-    layer.missing_reaction = unit_forces(unknowns.of_contact);
     for (BodyPart& part : parts) {
         const auto components = components_of(part, unknowns);
         const std::size_t n_contact = part.condensation.contact().size();
@@ -168,14 +168,13 @@ void condense_parts(std::vector<BodyPart> parts, const Discretisation& body,
     if (!even.load.empty()) press_evenly(even, unknowns, layer.compliance);
 }
 
-CondensedLayer condense_discretised(const Discretisation& discretisation) {
-    std::vector<BodyPart> parts = parts_of(discretisation, Elimination::contact_last);
-    refuse_too_large(predicted_bytes(parts, discretisation.unknowns.of_contact.size()) +
-                     blas_buffer_bytes());
+CondensedLayer condense_discretised(std::vector<BodyPart> parts, const Discretisation& body,
+                                    ByDirection forces) {
     CondensedLayer layer;
-    layer.points = discretisation.surface.points;
-    layer.contact_mass = discretisation.surface.mass;
-    condense_parts(std::move(parts), discretisation, layer);
+    layer.missing_reaction = std::move(forces);
+    layer.points = body.surface.points;
+    layer.contact_mass = body.surface.mass;
+    condense_parts(std::move(parts), body, layer);
     return layer;
 }
 
@@ -213,16 +212,46 @@ CondensedLayer condense(const LayerProblem& problem) {
     const double available = available_bytes();
     const FreedMemoryStays stays;
     try {
-        return condense_discretised(Discretisation(problem));
+        const Discretisation body(problem);
+        std::vector<BodyPart> parts = parts_of(body, Elimination::contact_last);
+        refuse_too_large(peak_bytes(parts, body.unknowns.of_contact.size()) + blas_buffer_bytes());
+        return condense_discretised(std::move(parts), body, unit_forces(body.unknowns.of_contact));
     } catch (const std::bad_alloc&) {  // not even the matrix fitted, or others took the memory
         refuse("more memory", 0, available);
     }
 }
 
+struct HalfCondensation::Parts {
+    Parts(const LayerProblem& problem, int which)
+        : half(which), body(problem), parts(parts_of(body, Elimination::contact_last, half)) {}
+
+    const FreedMemoryStays stays;
+    int half;
+    Discretisation body;
+    std::vector<BodyPart> parts;
+};
+
+HalfCondensation::HalfCondensation(const LayerProblem& problem, int half)
+    : parts_(std::make_unique<Parts>(problem, half)) {}
+HalfCondensation::~HalfCondensation() = default;
+
+bool HalfCondensation::exists() const {
+    return !parts_->parts.empty();
+}
+double HalfCondensation::predicted_bytes() const {
+    return peak_bytes(parts_->parts, parts_->body.unknowns.of_contact.size()) + blas_buffer_bytes();
+}
+CondensedLayer HalfCondensation::condense() {
+    ByDirection forces = unit_forces(parts_->body.unknowns.of_contact);
+    if (parts_->half == 1)  // they count once
+        for (auto& force : forces) std::ranges::fill(force, 0.);
+    return condense_discretised(std::move(parts_->parts), parts_->body, std::move(forces));
+}
+
 double predicted_bytes(const LayerProblem& problem) {
     const Discretisation discretisation(problem);
     const std::vector<BodyPart> parts = parts_of(discretisation, Elimination::contact_last);
-    double bytes = predicted_bytes(parts, discretisation.unknowns.of_contact.size());
+    double bytes = peak_bytes(parts, discretisation.unknowns.of_contact.size());
     for (const BodyPart& part : parts) bytes += part.condensation.matrix_bytes();
     return bytes;
 }

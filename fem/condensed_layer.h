@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,27 @@ class MemoryShort : public contact::InputError {
 /// Discretises and condenses. Throws MemoryShort when the memory that is there does not
 /// suffice, naming what is missing; contact::NotConverged.
 CondensedLayer condense(const LayerProblem& problem);
+
+/// Half of condense(), for one of two processes: of a body that a plane x = const mirrors the even
+/// (0) or the odd displacements (1), analysed but not factorised.
+class HalfCondensation {
+  public:
+    /// Throws std::bad_alloc.
+    HalfCondensation(const LayerProblem& problem, int half);
+    ~HalfCondensation();
+    HalfCondensation(const HalfCondensation&) = delete;
+    HalfCondensation& operator=(const HalfCondensation&) = delete;
+
+    bool exists() const;             ///< there is such a plane
+    double predicted_bytes() const;  ///< peak on top of now
+    /// Both halves' compliances and missing reactions add up to those of condense(), of which they
+    /// have the rest. Throws contact::NotConverged, std::bad_alloc. Once.
+    CondensedLayer condense();
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
 
 /// What `condense` will take at its peak [bytes], from a symbolic analysis.
 double predicted_bytes(const LayerProblem& problem);

@@ -1,9 +1,11 @@
 // The layer without a factor: iterations by K/G, time and memory of a solution and of the first
-// steps of a contact history; what docs/how-to/scaling.md says about it.
-// usage: iterative_layer CASE.toml SIZE_IN_MM THREADS STEPS
+// steps of a contact history; or a solution beside that by a factor. What docs/how-to/scaling.md
+// says about it.
+// usage: iterative_layer CASE.toml SIZE_IN_MM THREADS STEPS|factor
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -15,6 +17,9 @@
 #include "fem/block/block_solver.h"
 #include "fem/case/layer_condenser.h"
 #include "fem/case/model.h"
+#include "fem/condensation.h"
+#include "fem/discretisation.h"
+#include "fem/memory.h"
 #include "fem/settings.h"
 #include "io/case/case_reader.h"
 
@@ -88,6 +93,49 @@ void solutions(const contact::Case& c, int n_threads) {
     }
 }
 
+// CHOLMOD's factor of all unknowns, as condensation has it, but of no patch.
+void beside_factor(const contact::Case& c, int n_threads) {
+    const auto problem = fem::problem_of(c, fem::make_mesh(c, {}));
+    std::string why;
+    const auto grid = fem::block_grid(problem, why);
+    if (!grid) throw contact::InputError(why);
+    fem::BlockSolver solver(*grid, n_threads);
+    const auto force =
+        pressed(*grid, contact::half_space_scales(c).contact_radius, solver.mixed().size());
+    std::vector<double> x;
+    double cpu = processors();
+    const int n_iterations = solver.solve(force, 1e-11, x);
+    std::printf("%zu unknowns: %d iterations to 1e-11, %.1f s of processors\n",
+                solver.mixed().size(), n_iterations, processors() - cpu);
+    cpu = processors();
+    const fem::Discretisation discretisation(problem);
+    const auto& unknowns = discretisation.unknowns;
+    std::vector<std::size_t> at;
+    std::vector<double> force_of;
+    for (int u = 0; u < unknowns.n; ++u) {
+        at.push_back(unknowns.direction_of_unknown[u] * grid->n_nodes() +
+                     grid->nearest_node(discretisation.space.nodes[unknowns.node_of_unknown[u]]));
+        force_of.push_back(force[at.back()]);
+    }
+    fem::Condensation factor(discretisation.assemble().matrix, unknowns.node_of_unknown,
+                             unknowns.n);
+    std::printf("factor: %.2f GB\n", 1e-9 * factor.predicted_bytes());
+    std::fflush(stdout);
+    if (factor.predicted_bytes() > fem::available_bytes())
+        throw contact::InputError("no memory for the factor");
+    factor.factorise();
+    const auto exact = factor.solve(force_of);
+    double worst = 0, largest = 0;
+    for (std::size_t u = 0; u < at.size(); ++u) {
+        worst = std::max(worst, std::abs(x[at[u]] - exact[u]));
+        largest = std::max(largest, std::abs(exact[u]));
+    }
+    std::printf(
+        "factor and solution: %.1f s of processors; displacements differ by %.1e of the largest; "
+        "at most %.2f GB\n",
+        processors() - cpu, worst / largest, gigabytes());
+}
+
 void history(const contact::Case& c, int n_threads, int n_steps) {
     double start = wall(), cpu = processors();
     const auto model = fem::make_model(
@@ -113,13 +161,14 @@ void history(const contact::Case& c, int n_threads, int n_steps) {
 
 int main(int argc, char** argv) {
     if (argc != 5) {
-        std::fprintf(stderr, "usage: %s CASE.toml SIZE_IN_MM THREADS STEPS\n", argv[0]);
+        std::fprintf(stderr, "usage: %s CASE.toml SIZE_IN_MM THREADS STEPS|factor\n", argv[0]);
         return 2;
     }
     try {
         const contact::Case c = io::read_case(
             argv[1], {"fem.size=" + std::string(argv[2]) + " mm", "fem.solver=iterative"});
         const int n_threads = std::atoi(argv[3]), n_steps = std::atoi(argv[4]);
+        if (std::string(argv[4]) == "factor") return beside_factor(c, n_threads), 0;
         solutions(c, n_threads);
         if (n_steps > 0) history(c, n_threads, n_steps);
     } catch (const std::exception& error) {

@@ -8,6 +8,7 @@ set -euo pipefail
 program=$1 case=$2 sizes=$3 ranks=$4
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+TIMEFORMAT='whole command: %U + %S s of processors, %R s'
 export OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1
 
@@ -18,13 +19,12 @@ for size in $sizes; do
         rm -rf "$folder/cache"
         cp -r "$folder/probe" "$folder/cache"
         printf '\nh = %s mm, %s ranks\n' "$size" "$n"
-        mpirun -n "$n" "$program" cache condense "$case" --set fem.size="$size mm" \
+        time mpirun -n "$n" "$program" cache condense "$case" --set fem.size="$size mm" \
             --set fem.cache="$folder/cache" 2>&1 | sed -n 's/^fem: \(.*\), kept in .*/\1/p; s/^fem: \(.*processors.*\)/\1/p'
     done
     rm -rf "$folder/cache"
     cp -r "$folder/probe" "$folder/cache"
     printf '\nh = %s mm, without MPI (CHOLMOD)\n' "$size"
-    TIMEFORMAT='%U s of processors'
     time "$program" cache condense "$case" --set fem.size="$size mm" --set fem.cache="$folder/cache" \
         2>&1 | sed -n 's/^fem: \(.*\), kept in .*/\1/p'
 done

@@ -1,7 +1,10 @@
+#include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -76,6 +79,33 @@ std::vector<io::PointOutcome> outcomes_of(const PointKind& kind, const StudyPoin
     return outcomes;
 }
 
+/// Stores outcomes, of many short points some at a time: each transaction waits for the disk.
+class OutcomeBuffer {
+  public:
+    explicit OutcomeBuffer(io::ResultStore& store) : store_(store) {}
+
+    void add(std::vector<io::PointOutcome> outcomes) {
+        std::ranges::move(outcomes, std::back_inserter(waiting_));
+        flush_if_due();
+    }
+    void flush_if_due() {
+        if (Clock::now() - flushed_ >= longest_wait) flush();
+    }
+    void flush() {
+        if (!waiting_.empty()) store_.add(waiting_);
+        waiting_.clear();
+        flushed_ = Clock::now();
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::milliseconds longest_wait{20};
+
+    io::ResultStore& store_;
+    std::vector<io::PointOutcome> waiting_;
+    Clock::time_point flushed_ = Clock::now();
+};
+
 }  // namespace
 
 std::vector<Places> PointKind::lots(const StudyPoints&, const Places& open) const {
@@ -112,12 +142,23 @@ void compute_missing(const PointKind& kind, const StudyPoints& points, io::Resul
     std::iota(all.begin(), all.end(), 0);
     io::ProgressBar bar = runs.options.progress_bar(runs.name, runs.noun);
     int n_done = 0;
+    OutcomeBuffer outcomes(store);
     const auto task = [&](std::size_t i) { return compute_lot(kind, points, lots[i], runs); };
     const auto keep = [&](std::size_t i, const WorkerReport& report) {
-        store.add(outcomes_of(kind, points, lots[i], report));
+        outcomes.add(outcomes_of(kind, points, lots[i], report));
         bar.update(n_done += static_cast<int>(lots[i].size()), static_cast<int>(open.size()));
     };
-    run_in_processes(all, runs.options.threads, task, keep, contact::interruption_check);
+    const auto attend = [&] {
+        outcomes.flush_if_due();
+        if (contact::interruption_check) contact::interruption_check();
+    };
+    try {
+        run_in_processes(all, runs.options.threads, task, keep, attend);
+    } catch (...) {
+        outcomes.flush();
+        throw;
+    }
+    outcomes.flush();
     if (!open.empty()) bar.finish();
 }
 

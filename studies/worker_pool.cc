@@ -2,14 +2,17 @@
 
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <list>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -27,34 +30,65 @@ using Done = std::function<void(std::size_t, const WorkerReport&)>;
     throw std::system_error(errno, std::generic_category(), what);
 }
 
-// What has come whole ends with this; a process may die in between.
-constexpr char end_mark = '\n';
+// Of a message from a child: the length of the text that follows, and whether the child takes
+// another task.
+struct Head {
+    std::size_t length = 0;
+    bool goes_on = false;
+};
 
+constexpr std::size_t no_further = static_cast<std::size_t>(-1);
+
+// A process that took longer does not go on: what is left over of large tasks stays in none, and
+// its start costs nothing beside them.
+constexpr std::chrono::seconds short_life{1};
+
+bool read_all(int fd, void* to, std::size_t n) {
+    for (auto* at = static_cast<char*>(to); n > 0;) {
+        const ssize_t got = ::read(fd, at, n);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return false;
+        at += got;
+        n -= static_cast<std::size_t>(got);
+    }
+    return true;
+}
+
+// Tasks one after the other, so that short ones share what the first had to prepare.
 // `_exit`: nothing of the parent's may be flushed, closed or removed twice.
-[[noreturn]] void work(std::size_t i, const Task& task, int fd, pid_t parent) {
+[[noreturn]] void work(const Task& task, int fd, pid_t parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     ::signal(SIGINT, SIG_DFL);  // the handler of a host such as Python would let it live on
     if (::getppid() != parent) ::_exit(1);  // it ended before the line above
     const contact::Interruption none({});
+    const auto start = std::chrono::steady_clock::now();
     try {
-        files::write_all(fd, task(i) + end_mark);
+        std::size_t i = no_further;
+        for (bool goes_on = true; goes_on && read_all(fd, &i, sizeof i) && i != no_further;) {
+            const std::string text = task(i);
+            goes_on = std::chrono::steady_clock::now() - start < short_life;
+            const Head head{text.size(), goes_on};
+            files::write_all(fd,
+                             std::string(reinterpret_cast<const char*>(&head), sizeof head) + text);
+        }
     } catch (const std::system_error&) {  // nobody reads it any more
         ::_exit(1);
     }
     ::_exit(0);
 }
 
-// A child process and the pipe from it. Its end is the child's end.
+// A child process and the socket to it. When the child's end closes, it has ended.
 class Worker {
   public:
-    Worker(std::size_t i, const Task& task) : task_(i) {
+    explicit Worker(const Task& task) {
         std::array<int, 2> ends{};
-        if (::pipe(ends.data()) != 0) fail("no pipe for a further process");
+        if (::socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0)
+            fail("no socket for a further process");
         const pid_t parent = ::getpid();
         pid_ = ::fork();
         if (pid_ == 0) {
             ::close(ends[0]);
-            work(i, task, ends[1], parent);
+            work(task, ends[1], parent);
         }
         ::close(ends[1]);
         fd_ = ends[0];
@@ -64,15 +98,23 @@ class Worker {
         }
     }
     ~Worker() {
-        if (fd_ < 0) return;
+        ::close(fd_);
+        if (pid_ < 0) return;
         ::kill(pid_, SIGKILL);
         wait();
     }
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
-    std::size_t task() const { return task_; }
     int fd() const { return fd_; }
+    std::optional<std::size_t> task() const { return task_; }
+
+    /// The next task; without one it ends.
+    void give(std::optional<std::size_t> task) {
+        task_ = task;
+        const std::size_t i = task.value_or(no_further);
+        ::send(fd_, &i, sizeof i, MSG_NOSIGNAL);  // one that has ended is seen by its end
+    }
 
     // False when the child has closed its end.
     bool read() {
@@ -82,11 +124,20 @@ class Worker {
         text_.append(buffer.data(), static_cast<std::size_t>(n));
         return n > 0;
     }
-    WorkerReport report() {
+    // What the task returned, once it is there.
+    std::optional<WorkerReport> finished() {
+        Head head;
+        if (text_.size() < sizeof head) return std::nullopt;
+        std::memcpy(&head, text_.data(), sizeof head);
+        if (text_.size() < sizeof head + head.length) return std::nullopt;
+        goes_on_ = head.goes_on;
+        task_.reset();
+        return WorkerReport{.text = std::exchange(text_, {}).substr(sizeof head)};
+    }
+    bool goes_on() const { return goes_on_; }
+    // After its end: why the task it had came to nothing.
+    WorkerReport failure() {
         const int status = wait();
-        const bool whole = !text_.empty() && text_.back() == end_mark;
-        if (whole) text_.pop_back();
-        if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && whole) return {.text = text_};
         if (!WIFSIGNALED(status)) return {.failure = "its process ended without a result"};
         const int signal = WTERMSIG(status);
         return {.failure = "its process was ended by signal " + std::to_string(signal) + " (" +
@@ -100,24 +151,42 @@ class Worker {
         int status = 0;
         while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
         }
-        ::close(std::exchange(fd_, -1));
+        pid_ = -1;
         return status;
     }
 
-    std::size_t task_;
     pid_t pid_ = -1;
     int fd_ = -1;
+    std::optional<std::size_t> task_;
+    bool goes_on_ = true;
     std::string text_;
 };
+
+// What a worker has said: true if its process has ended.
+bool hear(Worker& worker, const Done& done,
+          const std::function<std::optional<std::size_t>()>& next) {
+    if (!worker.read()) {
+        if (const auto i = worker.task()) done(*i, worker.failure());
+        return true;
+    }
+    const auto task = worker.task();
+    if (!task) return false;
+    if (const auto report = worker.finished()) {
+        if (worker.goes_on()) worker.give(next());
+        done(*task, *report);
+    }
+    return false;
+}
 
 void run_once(const std::vector<std::size_t>& tasks, int n_workers, const Task& task,
               const Done& done, const std::function<void()>& attend) {
     const int patience = attend ? 100 : -1;  // between two calls of `attend` [ms]; -1: no end
     std::list<Worker> workers;
-    std::size_t next = 0;
-    while (next < tasks.size() || !workers.empty()) {
-        while (next < tasks.size() && workers.size() < static_cast<std::size_t>(n_workers))
-            workers.emplace_back(tasks[next++], task);
+    auto at = tasks.begin();
+    const auto next = [&] { return at == tasks.end() ? std::nullopt : std::optional(*at++); };
+    while (at != tasks.end() || !workers.empty()) {
+        while (at != tasks.end() && workers.size() < static_cast<std::size_t>(n_workers))
+            workers.emplace_back(task).give(next());
         // Until one of them has something to say, a signal comes, or the patience ends.
         std::vector<pollfd> ends;
         for (const Worker& worker : workers) ends.push_back({worker.fd(), POLLIN, 0});
@@ -127,11 +196,7 @@ void run_once(const std::vector<std::size_t>& tasks, int n_workers, const Task& 
         auto worker = workers.begin();
         for (const pollfd& end : ends) {
             const auto one = worker++;
-            if (end.revents == 0 || one->read()) continue;
-            const std::size_t i = one->task();
-            const WorkerReport report = one->report();
-            workers.erase(one);
-            done(i, report);
+            if (end.revents != 0 && hear(*one, done, next)) workers.erase(one);
         }
     }
 }

@@ -14,14 +14,14 @@ struct WorkerReport {
     bool killed = false;       ///< by a signal that others send, or the system for want of memory
 };
 
-/// Runs tasks in processes of their own, so that one that crashes takes no other with it; at most
-/// `n_workers` (at least 1) at a time, in the order given. One that was killed runs once more alone
-/// after the others: for want of memory it may do better, and killed by hand it is no failure.
-/// `task` runs in the child and must not throw; `done` in this process, once for each, as they end.
-/// When this process ends, however, its children do. Other threads of this process must not hold
-/// what a task needs. `attend`, if there is one, is called again and again while they work. Throws
-/// std::system_error if no process can be started; whatever `done` or `attend` throws ends the
-/// children.
+/// Runs tasks in other processes, short ones several after each other in one, so that one that
+/// crashes takes no other with it; at most `n_workers` (at least 1) at a time, in the order given.
+/// One that was killed runs once more alone after the others: for want of memory it may do better,
+/// and killed by hand it is no failure. `task` runs in the child and must not throw; `done` in this
+/// process, once for each, as they end. When this process ends, however, its children do. Other
+/// threads of this process must not hold what a task needs. `attend`, if there is one, is called
+/// again and again while they work. Throws std::system_error if no process can be started; whatever
+/// `done` or `attend` throws ends the children.
 void run_in_processes(const std::vector<std::size_t>& tasks, int n_workers,
                       const std::function<std::string(std::size_t)>& task,
                       const std::function<void(std::size_t, const WorkerReport&)>& done,

@@ -14,21 +14,6 @@ namespace {
 using contact::SurfaceField;
 using contact::TangentialField;
 
-/// Number of the node nearest to x along an axis.
-int nearest_node(const BlockAxis& axis, double x) {
-    int low = 0, high = axis.n_nodes() - 1;
-    while (high - low > 1) {
-        const int middle = (low + high) / 2;
-        (axis.node(middle) <= x ? low : high) = middle;
-    }
-    return x - axis.node(low) < axis.node(high) - x ? low : high;
-}
-
-std::size_t node_at(const BlockGrid& grid, const std::array<double, 3>& x) {
-    return grid.node(nearest_node(grid.axes[0], x[0]), nearest_node(grid.axes[1], x[1]),
-                     nearest_node(grid.axes[2], x[2]));
-}
-
 }  // namespace
 
 BlockCompliance::BlockCompliance(std::shared_ptr<const LayerProblem> problem, const BlockGrid& grid,
@@ -43,7 +28,7 @@ BlockCompliance::BlockCompliance(std::shared_ptr<const LayerProblem> problem, co
       tolerance_(tolerance) {
     const double top = grid.axes[2].planes.back();
     for (std::size_t i = 0; i < points().size(); ++i)
-        node_.push_back(node_at(grid, {points().x[i], points().y[i], top}));
+        node_.push_back(grid.nearest_node({points().x[i], points().y[i], top}));
 }
 
 /// z of the elements points out of the substrate. A mirrored block carries half of the forces.
@@ -126,7 +111,7 @@ std::unique_ptr<const contact::Interior> BlockCompliance::interior(std::span<con
     std::vector<double> displacement(unknowns.n), force(unknowns.n);
     for (int u = 0; u < unknowns.n; ++u) {
         const auto& x = discretisation.space.nodes[unknowns.node_of_unknown[u]];
-        const std::size_t at = unknowns.direction_of_unknown[u] * n + node_at(grid(), x);
+        const std::size_t at = unknowns.direction_of_unknown[u] * n + grid().nearest_node(x);
         displacement[u] = state_[at];
         force[u] = forces_[at];
     }

@@ -94,7 +94,21 @@ bool take_sides(const LayerProblem& problem, BlockGrid& grid) {
     return true;
 }
 
+/// Number of the node nearest to x along an axis.
+int node_along(const BlockAxis& axis, double x) {
+    int low = 0, high = axis.n_nodes() - 1;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        (axis.node(middle) <= x ? low : high) = middle;
+    }
+    return x - axis.node(low) < axis.node(high) - x ? low : high;
+}
+
 }  // namespace
+
+std::size_t BlockGrid::nearest_node(const std::array<double, 3>& x) const {
+    return node(node_along(axes[0], x[0]), node_along(axes[1], x[1]), node_along(axes[2], x[2]));
+}
 
 std::optional<BlockGrid> block_grid(const LayerProblem& problem, std::string& why) {
     const HexMesh& mesh = problem.mesh;

@@ -43,6 +43,7 @@ struct BlockGrid {
     std::size_t node(int i, int j, int k) const {
         return (static_cast<std::size_t>(k) * axes[1].n_nodes() + j) * axes[0].n_nodes() + i;
     }
+    std::size_t nearest_node(const std::array<double, 3>& x) const;
 };
 
 /// The block that the problem's mesh is; empty if it is none, then `why` says what is in the way.

@@ -9,10 +9,10 @@
 
 namespace tricontact::fem {
 
-/// Displacements and pressures of a block under forces, without a factor: MINRES (Paige and
-/// Saunders 1975) on the mixed form, preconditioned by FastDiagonalisation and the mass of the
-/// pressures. Memory and work of an iteration grow with the unknowns; their number hardly depends
-/// on size, grading and K/G.
+/// Displacements and pressures of a block under forces, without a factor: conjugate gradients of
+/// Bramble and Pasciak (1988) on the mixed form, preconditioned by FastDiagonalisation and then the
+/// mass of the pressures. Memory and work of an iteration grow with the unknowns; their number
+/// does not depend on the size of elements and K/G, and little on grading.
 class BlockSolver {
   public:
     BlockSolver(const BlockGrid& grid, int n_threads);
@@ -28,12 +28,16 @@ class BlockSolver {
     static double bytes(const BlockGrid& grid);
 
   private:
-    void precondition(std::span<const double> r, std::span<double> z);
-    double dot(std::span<const double> a, std::span<const double> b) const;
+    struct Iterates;
+    void precondition(double weight, std::span<const double> r, std::span<double> z);
+    void set_residual(std::span<const double> forces, const std::vector<double>& x, Iterates& it);
+    int iterate_until(double goal, int most, Iterates& it, std::vector<double>& x);
+    bool iterate(Iterates& it, std::vector<double>& x);
+    double norm(const Iterates& it) const;
 
     MixedOperator operator_;
     FastDiagonalisation shear_;
-    std::vector<double> pressure_scale_;
+    std::vector<double> scale_, without_bulk_;  // of pressures
 };
 
 }  // namespace tricontact::fem

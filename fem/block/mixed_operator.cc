@@ -64,10 +64,26 @@ TRICONTACT_INLINE void divergence(const Values& s_x, const Values& s_y, const Va
     along<1, true, true>(line.slope, c, to);
 }
 
-// Gradients become stresses times what they are integrated with; pressures what they multiply.
-TRICONTACT_INLINE void stresses(const Brick& brick, std::array<std::array<Values, 3>, 3>& g,
-                                std::array<Lanes, 4>& p) {
+// Of the dilatation times the functions of the pressures, over the unit cube.
+TRICONTACT_INLINE std::array<Lanes, 4> dilatations(const Brick& brick,
+                                                   const std::array<std::array<Values, 3>, 3>& g) {
     std::array<Lanes, 4> sums{0., 0., 0., 0.};
+    for (int q = 0; q < 27; ++q) {
+        const int i = q % 3, j = q / 3 % 3, k = q / 9;
+        const Lanes at = Lanes(line.weight[i] * line.weight[j] * line.weight[k]) *
+                         (g[0][0][q] * brick.inverse_x + g[1][1][q] * Lanes(brick.inverse_y) +
+                          g[2][2][q] * Lanes(brick.inverse_z));
+        sums[0] += at;
+        sums[1] += Lanes(line.centred[i]) * at;
+        sums[2] += Lanes(line.centred[j]) * at;
+        sums[3] += Lanes(line.centred[k]) * at;
+    }
+    return sums;
+}
+
+// Gradients become stresses, with these pressures, times what they are integrated with.
+TRICONTACT_INLINE void stresses(const Brick& brick, const std::array<Lanes, 4>& p,
+                                std::array<std::array<Values, 3>, 3>& g) {
     for (int q = 0; q < 27; ++q) {
         const int i = q % 3, j = q / 3 % 3, k = q / 9;
         const double x = line.centred[i], y = line.centred[j], z = line.centred[k];
@@ -81,11 +97,6 @@ TRICONTACT_INLINE void stresses(const Brick& brick, std::array<std::array<Values
         const Lanes dilatation = d[0][0] + d[1][1] + d[2][2];
         const Lanes pressure = p[0] + Lanes(x) * p[1] + Lanes(y) * p[2] + Lanes(z) * p[3];
         const Lanes mean = pressure - Lanes(2. / 3 * brick.shear) * dilatation;
-        const Lanes at = weight * dilatation;
-        sums[0] += at;
-        sums[1] += Lanes(x) * at;
-        sums[2] += Lanes(y) * at;
-        sums[3] += Lanes(z) * at;
         for (int a = 0; a < 3; ++a)
             for (int b = 0; b < 3; ++b) {
                 Lanes s = Lanes(brick.shear) * (d[a][b] + d[b][a]);
@@ -96,13 +107,10 @@ TRICONTACT_INLINE void stresses(const Brick& brick, std::array<std::array<Values
                 g[a][b][q] = weight * scale * s;
             }
     }
-    const Lanes mass = brick.volume * Lanes(brick.inverse_bulk);
-    p[0] = sums[0] - mass * p[0];
-    for (int m = 1; m < 4; ++m) p[m] = sums[m] - Lanes(1. / 3) * mass * p[m];
 }
 
 struct Row {
-    const double* x;
+    const double *x, *scale;  // scale: of pressures that are eliminated
     double* to;
     std::size_t n_nodes, n_elements, line_stride, plane_stride, first_node, first_element;
     const double* edge;  // along x
@@ -114,7 +122,7 @@ struct Row {
 TRICONTACT_LANES_CLONES void apply_to_row(const Row& row) {
     std::array<Values, 3> u;
     std::array<std::array<Values, 3>, 3> g;
-    std::array<Lanes, 4> p;
+    std::array<Lanes, 4> p, inverse_scale;
     for (int first = 0; first < row.n; first += static_cast<int>(n_lanes)) {
         const int n = std::min(static_cast<int>(n_lanes), row.n - first);
         Brick brick{0., 0., 1 / row.edge_y, 1 / row.edge_z, row.moduli.shear, 1 / row.moduli.bulk};
@@ -128,11 +136,24 @@ TRICONTACT_LANES_CLONES void apply_to_row(const Row& row) {
                                                a % 3 * row.line_stride + a / 3 * row.plane_stride;
                     for (int i = 0; i < 3; ++i) u[c][3 * a + i][l] = from[i];
                 }
-            for (int m = 0; m < 4; ++m)
-                p[m][l] = row.x[3 * row.n_nodes + m * row.n_elements + row.first_element + e];
+            for (int m = 0; m < 4; ++m) {
+                const std::size_t at = m * row.n_elements + row.first_element + e;
+                p[m][l] = row.x[3 * row.n_nodes + at];
+                inverse_scale[m][l] = row.scale ? 1 / row.scale[at] : 0;
+            }
         }
         for (int c = 0; c < 3; ++c) gradients(u[c], g[c][0], g[c][1], g[c][2]);
-        stresses(brick, g, p);
+        const std::array<Lanes, 4> sums = dilatations(brick, g);
+        std::array<Lanes, 4> rest;
+        for (int m = 0; m < 4; ++m) {
+            rest[m] = brick.volume * sums[m];
+            if (row.scale)
+                rest[m] = p[m] = inverse_scale[m] * (rest[m] - p[m]);
+            else
+                rest[m] += Lanes(m == 0 ? -brick.inverse_bulk : -brick.inverse_bulk / 3) *
+                           brick.volume * p[m];
+        }
+        stresses(brick, p, g);
         for (int c = 0; c < 3; ++c) divergence(g[c][0], g[c][1], g[c][2], u[c]);
         for (int c = 0; c < 3; ++c)
             for (int a = 0; a < 9; ++a) {
@@ -144,7 +165,7 @@ TRICONTACT_LANES_CLONES void apply_to_row(const Row& row) {
         for (int m = 0; m < 4; ++m)
             for (int l = 0; l < n; ++l)
                 row.to[3 * row.n_nodes + m * row.n_elements + row.first_element + first + l] =
-                    p[m][l];
+                    rest[m][l];
     }
 }
 
@@ -155,10 +176,12 @@ MixedOperator::MixedOperator(const BlockGrid& grid, int n_threads)
     for (int e = 0; e < grid_.axes[0].n_elements(); ++e) edges_x_.push_back(grid_.axes[0].edge(e));
 }
 
-void MixedOperator::apply_row(int e_y, int e_z, const double* x, double* to) const {
+void MixedOperator::apply_row(int e_y, int e_z, const double* x, const double* scale,
+                              double* to) const {
     const auto& [along_x, along_y, along_z] = grid_.axes;
     const auto n_x = static_cast<std::size_t>(along_x.n_nodes());
     apply_to_row({.x = x,
+                  .scale = scale,
                   .to = to,
                   .n_nodes = n_nodes_,
                   .n_elements = n_elements_,
@@ -174,7 +197,8 @@ void MixedOperator::apply_row(int e_y, int e_z, const double* x, double* to) con
                   .moduli = grid_.moduli[e_z]});
 }
 
-void MixedOperator::apply_free(std::span<const double> x, std::span<double> to) const {
+void MixedOperator::apply_free(std::span<const double> x, const double* scale,
+                               std::span<double> to) const {
     std::ranges::fill(to, 0.);
     for (int kind = 0; kind < 4; ++kind) {
         const int first_y = kind % 2, first_z = kind / 2;
@@ -182,7 +206,8 @@ void MixedOperator::apply_free(std::span<const double> x, std::span<double> to) 
         const int n_z = (grid_.axes[2].n_elements() - first_z + 1) / 2;
 #pragma omp parallel for num_threads(n_threads_) schedule(dynamic) if (n_threads_ > 1)
         for (int row = 0; row < n_y * n_z; ++row)
-            apply_row(first_y + 2 * (row % n_y), first_z + 2 * (row / n_y), x.data(), to.data());
+            apply_row(first_y + 2 * (row % n_y), first_z + 2 * (row / n_y), x.data(), scale,
+                      to.data());
     }
 }
 
@@ -208,13 +233,19 @@ void MixedOperator::clear_held(std::span<double> x) const {
 }
 
 void MixedOperator::apply(std::span<const double> x, std::span<double> to) const {
-    apply_free(x, to);
+    apply_free(x, nullptr, to);
+    clear_held(to);
+}
+
+void MixedOperator::apply_eliminated(std::span<const double> x, std::span<const double> scale,
+                                     std::span<double> to) const {
+    apply_free(x, scale.data(), to);
     clear_held(to);
 }
 
 std::array<double, 3> MixedOperator::held_forces(std::span<const double> x) const {
     std::vector<double> forces(size());
-    apply_free(x, forces);
+    apply_free(x, nullptr, forces);
     std::array<double, 3> sums{};
     for_held([&](int c, std::size_t at) {
         sums[c] += forces[at];
@@ -225,7 +256,7 @@ std::array<double, 3> MixedOperator::held_forces(std::span<const double> x) cons
 
 // Displacements carry less of linear pressures than of constant ones; fewest iterations on graded
 // meshes, by a tenth, at this ratio.
-std::vector<double> MixedOperator::pressure_scale(double share) const {
+std::vector<double> MixedOperator::pressure_scale(double share, double of_bulk) const {
     constexpr double carried = .65;
     const auto& [along_x, along_y, along_z] = grid_.axes;
     std::vector<double> scale(4 * n_elements_);
@@ -235,8 +266,8 @@ std::vector<double> MixedOperator::pressure_scale(double share) const {
             for (int i = 0; i < along_x.n_elements(); ++i, ++e) {
                 const double volume = along_x.edge(i) * along_y.edge(j) * along_z.edge(k);
                 const Moduli& m = grid_.moduli[k];
-                const double of_constant = share / m.shear + 1 / m.bulk,
-                             of_linear = (share * carried / m.shear + 1 / m.bulk) / 3;
+                const double of_constant = share / m.shear + of_bulk / m.bulk,
+                             of_linear = (share * carried / m.shear + of_bulk / m.bulk) / 3;
                 for (int p = 0; p < 4; ++p)
                     scale[p * n_elements_ + e] = volume * (p == 0 ? of_constant : of_linear);
             }

@@ -26,16 +26,21 @@ class MixedOperator {
 
     /// to = operator x; x is zero where held, and so is `to`.
     void apply(std::span<const double> x, std::span<double> to) const;
+    /// As apply(), with the pressures that leave (B u - `x`'s pressures) / scale of their
+    /// equations, element by element: to = (A u + B' q, q), q = (B u - x_p) / scale.
+    void apply_eliminated(std::span<const double> x, std::span<const double> scale,
+                          std::span<double> to) const;
     /// Forces [N] of what holds the components that are held, by direction, for these x.
     std::array<double, 3> held_forces(std::span<const double> x) const;
     /// Zeros where components are held.
     void clear_held(std::span<double> x) const;
-    /// About B A^-1 B' + C of each pressure: int psi_m^2 (share/G + 1/K), less of linear ones.
-    std::vector<double> pressure_scale(double share) const;
+    /// Of each pressure int psi_m^2 (share/G + of_bulk/K), less of linear ones in the first term:
+    /// with of_bulk = 1 about B A^-1 B' + C.
+    std::vector<double> pressure_scale(double share, double of_bulk) const;
 
   private:
-    void apply_free(std::span<const double> x, std::span<double> to) const;
-    void apply_row(int e_y, int e_z, const double* x, double* to) const;
+    void apply_free(std::span<const double> x, const double* scale, std::span<double> to) const;
+    void apply_row(int e_y, int e_z, const double* x, const double* scale, double* to) const;
     template <class Visit>
     void for_held(Visit visit) const;
 

@@ -1,15 +1,15 @@
 #include "fem/distributed/layer.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <sys/time.h>
 
 #include <array>
-#include <chrono>
+#include <optional>
 #include <vector>
 
 #include "contact/base/error.h"
+#include "fem/distributed/halves.h"
 #include "fem/distributed/petsc.h"
+#include "fem/distributed/stages.h"
 #include "fem/distributed/stiffness.h"
 
 // LAPACK: Cholesky factor of a symmetric positive definite matrix, and the inverse from it.
@@ -55,42 +55,6 @@ Vector like(Mat matrix) {
 
 // Rounding leaves 1e-9 to 1e-7; beyond this it is no rounding.
 constexpr double largest_reaction_error = 1e-5;
-
-// Seconds of this process, and its largest size so far.
-struct Cost {
-    double wall =
-        std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-    double user = 0, gigabytes = 0;
-
-    Cost() {
-        rusage usage{};
-        getrusage(RUSAGE_SELF, &usage);
-        user = static_cast<double>(usage.ru_utime.tv_sec) +
-               1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
-        gigabytes = 1024e-9 * static_cast<double>(usage.ru_maxrss);
-    }
-};
-
-// Tells what each stage cost, all ranks together.
-class Stages {
-  public:
-    Stages(const Session& session, const Say& say) : session_(session), say_(say) {}
-
-    void finished(const std::string& what) {
-        const Cost now;
-        const double user = session_.sum(now.user - last_.user);
-        const double gigabytes = session_.largest(now.gigabytes);
-        if (session_.is_root())
-            say_(fmt::format("{}: {:.1f} s, {:.1f} s of processors, at most {:.2f} GB per rank",
-                             what, now.wall - last_.wall, user, gigabytes));
-        last_ = now;
-    }
-
-  private:
-    const Session& session_;
-    const Say& say_;
-    Cost last_;
-};
 
 /// The Schur complement of a stiffness on its contact patch by MUMPS (Amestoy, Duff, L'Excellent
 /// and Koster 2001): Cholesky, METIS' nested dissection, the factor distributed over the ranks, the
@@ -314,6 +278,8 @@ CondensedLayer condense(const LayerProblem& problem, const Session& session, con
                 "plates or under a pressure without mpirun");
     });
     Stages stages(session, say);
+    if (session.n_ranks() == 2)
+        if (auto layer = condense_halves(problem, session, stages)) return *std::move(layer);
     const Stiffness stiffness(problem, session);
     stages.finished(fmt::format("stiffness of {} unknowns on {} ranks", stiffness.n_unknowns,
                                 session.n_ranks()));

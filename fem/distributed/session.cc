@@ -102,8 +102,19 @@ Session::Session() : libraries_(std::make_unique<Libraries>()) {
 }
 Session::~Session() = default;
 
+// MPI's own waiting takes a processor each.
+void Session::wait_for_all() const {
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Ibarrier(MPI_COMM_WORLD, &request);
+    int are_here = 0;
+    for (MPI_Test(&request, &are_here, MPI_STATUS_IGNORE); !are_here;
+         MPI_Test(&request, &are_here, MPI_STATUS_IGNORE))
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
 void Session::agree(const std::function<void()>& work) const {
     Outcome outcome = outcome_of(work);
+    wait_for_all();
     const int mine = outcome.failure == Failure::none ? n_ranks_ : rank_;
     int first = n_ranks_;
     MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
@@ -118,6 +129,21 @@ void Session::agree_on_first(const std::function<void()>& work) const {
     agree([&] {
         if (is_root()) work();
     });
+}
+
+void Session::add_on_first(std::vector<double>& values) const {
+    constexpr std::size_t most = 1 << 27;  // MPI counts with int
+    std::vector<double> other(is_root() ? std::min(most, values.size()) : 0);
+    for (int from = 1; from < n_ranks_; ++from)
+        for (std::size_t at = 0; at < values.size(); at += most) {
+            const std::size_t n = std::min(most, values.size() - at);
+            if (rank_ == from)
+                MPI_Send(values.data() + at, static_cast<int>(n), MPI_DOUBLE, 0, 0, MPI_COMM_WORLD);
+            if (!is_root()) continue;
+            MPI_Recv(other.data(), static_cast<int>(n), MPI_DOUBLE, from, 0, MPI_COMM_WORLD,
+                     MPI_STATUS_IGNORE);
+            for (std::size_t i = 0; i < n; ++i) values[at + i] += other[i];
+        }
 }
 
 double Session::largest(double value) const {

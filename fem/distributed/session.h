@@ -19,12 +19,17 @@ class Session {
     int n_ranks() const { return n_ranks_; }
     bool is_root() const { return rank_ == 0; }  ///< the one that prints and writes
 
-    /// Runs `work`, which must not communicate, on this rank. Then all ranks go on, or all throw
+    /// Runs `work`, which must not communicate, on this rank. Then, once the last has done so (the
+    /// others sleep), all ranks go on, or all throw
     /// what the lowest rank that failed threw: contact::InputError, contact::NotConverged,
     /// std::bad_alloc or std::runtime_error. Collective.
     void agree(const std::function<void()>& work) const;
     /// The same for work of the root rank alone.
     void agree_on_first(const std::function<void()>& work) const;
+
+    /// Adds values [of every rank as many] on the first rank, in the order of the ranks.
+    /// Collective.
+    void add_on_first(std::vector<double>& values) const;
 
     /// Largest of, or sum over, the ranks. Collective.
     double largest(double value) const;
@@ -48,6 +53,8 @@ class Session {
     }
 
   private:
+    void wait_for_all() const;
+
     struct Libraries;
     std::unique_ptr<Libraries> libraries_;
     int rank_ = 0, n_ranks_ = 1;

@@ -31,6 +31,7 @@ std::string name_in_file(std::string_view name) {
 
 ExodusBlock quads(int n_x, int n_y) {
     ExodusBlock block{.name = "surface", .element = "QUAD4", .nodes_per_element = 4};
+    block.nodes.reserve(std::size_t{4} * n_x * n_y);
     for (int j = 0; j + 1 < n_y; ++j)
         for (int i = 0; i + 1 < n_x; ++i) {
             const int corner = j * n_x + i + 1;
@@ -69,16 +70,16 @@ std::vector<Value> by_blocks(const Interior& interior, const std::vector<Value>&
 
 template <class Value>
 void ExodusFields::add_component(const std::string& name, std::size_t n, const Value& value) {
-    std::vector<float> values(n);
+    std::string bytes(n * sizeof(float), '\0');
     bool is_zero = true;
     for (std::size_t i = 0; i < n; ++i) {
-        values[i] = static_cast<float>(value(i));
-        is_zero = is_zero && values[i] == 0;
+        const auto single = static_cast<float>(value(i));
+        is_zero = is_zero && single == 0;
+        put_big_endian(single, bytes.data() + i * sizeof(float));
     }
-    const std::string once =
-        is_zero ? std::string(n, '\0') : big_endian(std::span<const float>(values));
-    std::string bytes;
-    for (int i = 0; i < copies_; ++i) bytes += once;
+    if (is_zero) bytes.assign(n, '\0');
+    const std::size_t once = bytes.size();
+    for (int i = 1; i < copies_; ++i) bytes.append(bytes, 0, once);
     fields_.push_back({name, is_zero, is_of_elements_, std::move(bytes)});
 }
 
@@ -143,7 +144,7 @@ ExodusMesh mesh_of(const Surface& s) {
             mesh.points.push_back({s.node_x[i], s.node_y.at(i), 0.});
         for (const auto& quad : s.quads)
             for (const int node : quad) block.nodes.push_back(node + 1);
-        mesh.blocks = {std::move(block)};
+        mesh.blocks.push_back(std::move(block));
         return mesh;
     }
     mesh.layout = s.layout == Surface::Layout::line ? "line" : "grid";
@@ -175,6 +176,8 @@ ExodusMesh mesh_of(const Interior& interior) {
         return mesh;
     }
     const auto& [x, y, z] = interior.axes;
+    mesh.points.reserve(x.size() * y.size() * z.size());
+    block.nodes.reserve(8 * mesh.points.capacity());
     for (const double c : z)
         for (const double b : y)
             for (const double a : x) mesh.points.push_back({a, b, c});
@@ -187,7 +190,7 @@ ExodusMesh mesh_of(const Interior& interior) {
                     block.nodes.insert(block.nodes.end(),
                                        {corner, corner + 1, corner + n_x + 1, corner + n_x});
             }
-    mesh.blocks = {std::move(block)};
+    mesh.blocks.push_back(std::move(block));
     return mesh;
 }
 

@@ -214,9 +214,8 @@ std::string widened(std::string_view bytes) {
 
 void put(std::string& record, const NetcdfLayout& layout, const NetcdfVariable& variable,
          std::string_view bytes) {
-    std::ranges::copy(
-        bytes.substr(0, variable.size),
-        record.begin() + static_cast<std::ptrdiff_t>(variable.begin - layout.records_begin));
+    bytes = bytes.substr(0, variable.size);
+    bytes.copy(record.data() + (variable.begin - layout.records_begin), bytes.size());
 }
 
 void put_numbers(std::string& record, const NetcdfLayout& layout, const ExodusNames& names,

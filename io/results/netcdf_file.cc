@@ -160,6 +160,7 @@ void NetcdfLayout::place() {
 
 std::string NetcdfLayout::bytes(std::uint32_t n_records) const {
     std::string out = header(n_records);
+    out.reserve(records_begin + n_records * record_size);  // what follows is appended
     for (const NetcdfVariable& variable : variables)
         if (!is_of_records(variable)) {
             out += variable.values;

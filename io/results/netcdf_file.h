@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace tricontact::io {
@@ -17,17 +18,23 @@ namespace tricontact::io {
 enum class NetcdfType : std::uint32_t { byte = 1, text = 2, integer = 4, single = 5, real = 6 };
 std::size_t size_of(NetcdfType type);
 
-/// Bytes of numbers as the file has them: the most significant first.
+/// Writes the bytes of a number as the file has them: the most significant first.
+template <class T>
+void put_big_endian(T value, char* to) {
+    static_assert(sizeof(T) == 4 || sizeof(T) == 8);
+    using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+    auto bits = std::bit_cast<Bits>(value);
+    if constexpr (std::endian::native == std::endian::little)
+        bits = sizeof(T) == 4 ? __builtin_bswap32(static_cast<std::uint32_t>(bits))
+                              : __builtin_bswap64(bits);
+    std::memcpy(to, &bits, sizeof bits);
+}
+/// Those of several one after another.
 template <class T>
 std::string big_endian(std::span<const T> values) {
     std::string bytes(values.size_bytes(), '\0');
-    char* out = bytes.data();
-    for (const T value : values) {
-        auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
-        if constexpr (std::endian::native == std::endian::little) std::ranges::reverse(raw);
-        std::memcpy(out, raw.data(), raw.size());
-        out += raw.size();
-    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+        put_big_endian(values[i], bytes.data() + i * sizeof(T));
     return bytes;
 }
 template <class T>

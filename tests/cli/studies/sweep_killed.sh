@@ -32,6 +32,7 @@ start_sweep() {
     child=$!
 }
 milliseconds() { date +%s%3N; }
+pause() { sleep "$(printf '%d.%03d' $(($1 / 1000)) $(($1 % 1000)))"; }  # milliseconds
 # Processes, other than this script, whose command line names the folder.
 processes_of() {
     printf '%s' "$work/$1" >pattern  # not on the command line: grep would find itself
@@ -65,8 +66,7 @@ found=0
 kills=0
 for _ in $(seq 1 20); do
     start_sweep --output "$work/killed" --jobs 2 2>log
-    delay=$((RANDOM * took / 14 / 32768))
-    sleep "$(printf '%d.%03d' $((delay / 1000)) $((delay % 1000)))"
+    pause $((RANDOM * took / 7 / 32768))
     kill -9 "$child" 2>/dev/null
     wait "$child" 2>/dev/null
     if grep -q '^error' log; then
@@ -88,10 +88,10 @@ sweep --output "$work/killed" --jobs 2 --quiet 2>/dev/null
 same_table killed "after $kills kills, $found points found by the last"
 printf '%d kills; %d of %d points before the last one\n' "$kills" "$found" "$n_points"
 
-# 2. Killed processes of a sweep: their points are computed again.
+# 2. Killed processes of a sweep: their points are computed again, after the others and by then in peace.
 start_sweep --output "$work/workers" --jobs 2 --quiet 2>/dev/null
-for _ in $(seq 1 5); do
-    sleep 0.1
+for _ in $(seq 1 4); do
+    pause $((took / 20))
     for process in $(processes_of workers); do
         [ "$process" -eq "$child" ] || kill -9 "$process" 2>/dev/null
     done

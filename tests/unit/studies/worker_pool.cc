@@ -1,6 +1,7 @@
 #include "studies/worker_pool.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <map>
@@ -35,6 +36,14 @@ TEST(WorkerPool, BringsBackWhatEachTaskReturned) {
         EXPECT_EQ(report.text, text(i));
         EXPECT_EQ(report.failure, "");
     }
+}
+
+// What the first had to prepare is there for those after it.
+TEST(WorkerPool, ShortTasksShareAProcess) {
+    const auto reports = reports_of(20, 1, [](std::size_t) { return std::to_string(::getpid()); });
+    ASSERT_EQ(reports.size(), 20U);
+    for (const auto& [i, report] : reports) EXPECT_EQ(report.text, reports.at(0).text);
+    EXPECT_NE(reports.at(0).text, std::to_string(::getpid()));
 }
 
 // One that crashes takes no other with it, and is named.

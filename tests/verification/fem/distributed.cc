@@ -183,6 +183,7 @@ class FemDistributed : public testing::Test {
     std::string folder_;
 };
 
+// Two take a half each.
 TEST_F(FemDistributed, SameLayerOnOneTwoAndFourRanks) {
     write_case(bonded);
     expect_same_on_ranks({1, 2, 4});

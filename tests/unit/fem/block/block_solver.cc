@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/base/error.h"
@@ -41,15 +42,8 @@ BlockGrid grid_of(const LayerProblem& problem) {
     return *grid;
 }
 
-/// Where the point is among the nodes on the surface.
 std::size_t node_at(const BlockGrid& grid, double x, double y) {
-    const auto at = [](const fem::BlockAxis& axis, double where) {
-        int nearest = 0;
-        for (int k = 0; k < axis.n_nodes(); ++k)
-            if (std::abs(axis.node(k) - where) < std::abs(axis.node(nearest) - where)) nearest = k;
-        return nearest;
-    };
-    return grid.node(at(grid.axes[0], x), at(grid.axes[1], y), grid.axes[2].n_nodes() - 1);
+    return grid.nearest_node({x, y, grid.axes[2].planes.back()});
 }
 
 /// Largest difference of the patch's displacements under unit forces on one of its points, over
@@ -107,13 +101,15 @@ int iterations(double size, double bulk_ratio) {
     return solver.solve(force, 1e-8, x);
 }
 
-// Incompressible material is not felt, and compressible one hardly; half of the edge in the patch,
-// with steeper grading beside it, by less than a tenth.
-TEST(BlockSolver, IterationsHardlyDependOnSizeAndBulkModulus) {
-    const int coarse = iterations(1e-3, 1e6);
-    EXPECT_NEAR(iterations(1e-3, 1e2), coarse, .05 * coarse);
-    EXPECT_NEAR(iterations(1e-3, 1e15), coarse, 2);
-    EXPECT_NEAR(iterations(.5e-3, 1e6), coarse, .1 * coarse);
+// Neither incompressible material nor half and a quarter of the edge in the patch, with steeper
+// grading beside it, is felt.
+TEST(BlockSolver, IterationsDependNeitherOnSizeNorOnBulkModulus) {
+    std::vector<int> counts;
+    for (const double size : {1e-3, .5e-3, .25e-3})
+        for (const double ratio : {1e2, 1e6, 1e15}) counts.push_back(iterations(size, ratio));
+    const auto [least, most] = std::ranges::minmax(counts);
+    EXPECT_LE(most - least, 4);  // 2 about their middle
+    EXPECT_LE(most, 36);
 }
 
 TEST(BlockSolver, ThreadsChangeNoBit) {
@@ -132,6 +128,9 @@ TEST(BlockSolver, AnUnreachableToleranceIsNotConverged) {
     const BlockGrid grid = grid_of(graded_layer(4e-3));
     BlockSolver solver(grid, 1);
     std::vector<double> force(solver.mixed().size()), x;
+    x.assign(force.size(), 1);
+    EXPECT_EQ(solver.solve(force, 1e-8, x), 0);
+    EXPECT_EQ(x, force);  // no forces, no displacements
     force[node_at(grid, 0, 0)] = 1;
     EXPECT_THROW(solver.solve(force, 1e-300, x), contact::NotConverged);
 }
