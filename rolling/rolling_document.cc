@@ -136,6 +136,15 @@ std::string free_sentence(const RollingReport& report, const RollingRun& run) {
     return text + ".";
 }
 
+/// Of finite elements that a finite block ends.
+std::string variation_sentence(const RollingRun& run) {
+    if (!run.variation) return {};
+    return fmt::format(
+        "{}: bodies that roll on are taken for the same along their surface. By where it is within "
+        "the contact, the response of a cell varies by {} of its own.",
+        report::display_name(run.model), report::share(*run.variation, 2));
+}
+
 Settings settings_of(const Case& c) {
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
     Settings settings{
@@ -167,7 +176,7 @@ Settings settings_of(const Case& c) {
     if (c.tractive_rolling->speed > 0)
         settings.emplace_back("v", report::given_quantity(c.tractive_rolling->speed, "m/s"));
     if (c.layer.thickness)
-        settings.emplace_back("layer, seen by BEM layer",
+        settings.emplace_back("layer, seen by BEM layer and FEM",
                               report::given_quantity(*c.layer.thickness, "m"));
     return settings;
 }
@@ -193,6 +202,7 @@ report::Document rolling_document(const RollingReport& report) {
     for (const RollingRun& run : report.runs) {
         add(steady_sentence(report, run));
         add(states_sentence(report, run));
+        add(variation_sentence(run));
         add(resistance_sentence(report, run));
         add(heat_sentence(report, run));
         add(free_sentence(report, run));

@@ -13,9 +13,11 @@
 
 #include "app/models/fem_entries.h"
 #include "app/models/mesh_entries.h"
+#include "fem/case/body_cells.h"
 #include "fem/case/indenter_body.h"
 #include "fem/case/layer_condenser.h"
 #include "fem/case/model.h"
+#include "fem/case/section_cells.h"
 #include "fem/case/section_model.h"
 #include "fem/launcher.h"
 #include "fem/layer_cache.h"
@@ -315,6 +317,11 @@ extern "C" const tricontact::app::FemEntries* tricontact_fem_entries() {
         },
         [](const contact::ModelKind& kind, const app::Case& c) {
             return fem::section_size(kind, c);
+        },
+        [](const contact::ModelKind& kind, const app::Case& c, double half_width,
+           const app::Say& say) {
+            return kind.is_section() ? fem::section_cells(kind, c, half_width, say)
+                                     : fem::body_cells(c, half_width, say);
         },
         [](const app::Case& c, const app::Say& say) { return fem::mesh_spec(c, say); },
         app::write_mesh_of,
