@@ -22,9 +22,9 @@ struct SurfaceFields {
     std::vector<std::array<double, 3>> by_x, by_z;  ///< by traction along x; out of the body
 };
 
-/// Half of the body is meshed, y >= 0, two elements across the cell, and the contact patch is at
-/// least as large. Throws contact::InputError, contact::NotConverged; std::logic_error for
-/// positions beyond the mesh.
+/// Half of the body is meshed, y >= 0, a whole number of elements across the cell, and the contact
+/// patch is at least as large. Throws contact::InputError, contact::NotConverged; std::logic_error
+/// for positions beyond the mesh.
 SurfaceFields cell_fields(const LayerProblem& problem, const CellGrid& cells);
 
 /// Between two bodies' fields on the same positions [m/Pa].

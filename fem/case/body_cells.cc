@@ -20,7 +20,7 @@
 //   a mesh around the cell, graded outwards --> factor --> three loads, one at a time --> fields
 //       along the surface at all relative positions --> sum of both bodies
 //
-// Cells are two elements wide. What acts along y is what acts along x, turned by 90 degrees: the
+// Cells are four elements wide. What acts along y is what acts along x, turned by 90 degrees: the
 // block is square. Of a cylinder the compliance of a slice is there anyway, and is taken by
 // elements.
 
@@ -32,7 +32,6 @@ using contact::Case;
 
 constexpr double least_cells_room = 1.33;  // of the cells beside the contact
 constexpr double cells_in_radius = 20;
-constexpr double response_growth = 1.5;  // largest, of elements around the cell
 
 /// By the means of whole elements, of the matrix of a row of nodes.
 std::vector<double> by_elements(const double* nodes, std::size_t n_nodes) {
@@ -62,11 +61,10 @@ CellResponse slice_cells(const Case& c, LayerCondenser& condenser, double half_w
     return response;
 }
 
-/// Around one cell, of elements half as long.
+/// Around one cell, four elements across.
 meshes::LayerMeshSpec spec_of_cell(const Case& c, double size) {
-    meshes::LayerMeshSpec spec = spec_for(c, size / 2, 2 * size);
+    meshes::LayerMeshSpec spec = spec_for(c, size / 4, size);
     spec.half_model = true;
-    spec.growth = std::min(spec.growth, response_growth);
     if (!c.has_rigid_substrate && std::abs(spec.half_x - spec.half_y) > 1e-9 * spec.half_x)
         throw contact::InputError(fmt::format(
             "substrate.depth: fem rolls on over a square block, {:.4g} m long, which is as stiff "
