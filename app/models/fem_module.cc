@@ -24,6 +24,7 @@
 #include "fem/settings.h"
 #include "files/partial_file.h"
 #include "io/case/case_reader.h"
+#include "io/case/rolling_on.h"
 #include "io/results/vtk_files.h"
 #include "meshes/mesh_file.h"
 
@@ -124,6 +125,7 @@ class Order {
     explicit Order(const CondenseOptions& options)
         : case_(io::read_case(options.file, options.overrides)),
           cache_(case_.of<fem::Settings>().cache) {
+        io::refuse_rolling_on(case_, options.file);
         if (cache_.folder().empty())
             throw contact::InputError(
                 "fem.cache: cache condense keeps the layer for later runs, but nothing is to be "
@@ -225,6 +227,7 @@ Answer clear(const std::string& folder, const std::vector<fem::KeptLayer>& layer
 
 Answer write_mesh_of(CommandOptions options) {
     const Case c = io::read_case(options.file, options.overrides);
+    io::refuse_rolling_on(c, options.file);
     require_rigid_indenter(c, "mesh writes");
     options.choose_folder();
     std::string geometry;  // of a mesh of our own
