@@ -8,10 +8,10 @@
 #include "contact/base/error.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
+#include "fem/case/cell_load.h"
 #include "fem/case/indenter_body.h"
 #include "fem/case/mesh_choice.h"
 #include "fem/case/row_response.h"
-#include "fem/cell_load.h"
 #include "fem/settings.h"
 #include "meshes/layer_mesh.h"
 
@@ -73,6 +73,23 @@ meshes::LayerMeshSpec spec_of_cell(const Case& c, double size) {
     return spec;
 }
 
+/// Positions along each axis, for cells within this half width, as far as the block goes.
+int positions_within(const meshes::LayerMeshSpec& spec, const Case& c, double half_width,
+                     const CellResponse& response) {
+    const double h = response.size;
+    const int wanted = 2 * static_cast<int>(std::ceil(half_width / h)) + 3;
+    if (c.has_rigid_substrate) return wanted;
+    const int there = static_cast<int>(std::floor(spec.half_x / h * (1 - 1e-9))) + 1;
+    const double both_ends = 2.1 * response.contact_radius;
+    if ((there - 2) * h < both_ends)
+        throw contact::InputError(
+            fmt::format("substrate.width: fem rolls on by what a cell displaces at the other end "
+                        "of the contact, "
+                        "{:.4g} m away, but the block reaches {:.4g} m; enlarge it or leave it out",
+                        both_ends, spec.half_x));
+    return std::min(wanted, there);
+}
+
 void add(const SurfaceFields& fields, double sign_across, CellResponse& response) {
     const auto at = [&](int i, int j) { return static_cast<std::size_t>(j) * response.n_x + i; };
     for (int j = 0; j < response.n_y; ++j)
@@ -115,7 +132,7 @@ CellResponse body_cells(const Case& c, double half_width, const Say& say) {
         return response;
     }
     const meshes::LayerMeshSpec spec = spec_of_cell(c, response.size);
-    const int n = 2 * static_cast<int>(std::ceil(half_width / response.size)) + 3;
+    const int n = positions_within(spec, c, half_width, response);
     response.n_x = response.n_y = n;
     response.cells.assign(static_cast<std::size_t>(n) * n, {});
     const CellGrid cells{response.size, n, c.indenter.body ? c.indenter.radius : 0};
@@ -125,8 +142,10 @@ CellResponse body_cells(const Case& c, double half_width, const Say& say) {
         const SurfaceFields whole = layer_fields(c, spec, 0, plane);
         add(whole, -1, response);
         if (c.layer.width || c.layer.depth) {
-            const SurfaceFields nearer = layer_fields(c, spec, a, plane);
-            response.variation = largest_difference(whole, nearer) / response.cells.front().zz;
+            CellGrid fewer = plane;  // as far as the block goes then
+            fewer.n = std::min(n, static_cast<int>((spec.half_x - a) / response.size));
+            response.variation = largest_difference(whole, layer_fields(c, spec, a, fewer)) /
+                                 response.cells.front().zz;
         }
     }
     say_cells(contact::models::fem, response, say);

@@ -1,4 +1,4 @@
-#include "fem/cell_load.h"
+#include "fem/case/cell_load.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,15 +153,18 @@ SurfaceFields cell_fields(const LayerProblem& problem, const CellGrid& cells) {
         }
         return field;
     };
-    return {under(0), under(2)};
+    return {cells.n, under(0), under(2)};
 }
 
 double largest_difference(const SurfaceFields& a, const SurfaceFields& b) {
     double largest = 0;
+    const int n = std::min(a.n, b.n);
     const auto compare = [&](const auto& one, const auto& other) {
-        for (std::size_t k = 0; k < one.size(); ++k)
-            for (std::size_t d = 0; d < 3; ++d)
-                largest = std::max(largest, std::abs(one[k][d] - other[k][d]));
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i)
+                for (std::size_t d = 0; d < 3; ++d)
+                    largest =
+                        std::max(largest, std::abs(one[j * a.n + i][d] - other[j * b.n + i][d]));
     };
     compare(a.by_x, b.by_x);
     compare(a.by_z, b.by_z);

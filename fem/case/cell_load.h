@@ -19,6 +19,7 @@ struct CellGrid {
 /// What a unit traction on the cell displaces there, i fastest [m/Pa]: along the surface, and out
 /// of the body.
 struct SurfaceFields {
+    int n = 0;
     std::vector<std::array<double, 3>> by_x, by_z;  ///< by traction along x; out of the body
 };
 
@@ -27,7 +28,7 @@ struct SurfaceFields {
 /// for positions beyond the mesh.
 SurfaceFields cell_fields(const LayerProblem& problem, const CellGrid& cells);
 
-/// Between two bodies' fields on the same positions [m/Pa].
+/// Between two bodies' fields on the positions that both have [m/Pa].
 double largest_difference(const SurfaceFields& a, const SurfaceFields& b);
 
 }  // namespace tricontact::fem
