@@ -21,6 +21,10 @@ constexpr double farthest_turn_of_ball = .5;  // within a disc about its pole
 
 /// Why a body does not roll.
 std::string why_it_stands(const ElasticBody& body) {
+    if (body.form == ElasticBody::Form::mesh)
+        return "whether a body of a file is one of revolution about the axis that it would roll "
+               "about "
+               "is not known";
     const std::string held = "a " + std::string(contact::body_form(body.form).title) + " held by " +
                              contact::title_of(body.support);
     if (body.support == ElasticBody::Support::plates || body.is_loose())

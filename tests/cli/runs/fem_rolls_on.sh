@@ -56,10 +56,10 @@ refused 'how bodies creep along the way is not computed' check "$cylinder" --set
     --set substrate.relaxation.times='["1 s"]' --set tractive_rolling.speed='"1 mm/s"'
 sed 's/"hub"/"plates"/; /^hub_radius/d' "$cylinder" >plates.toml
 refused 'presses bodies where they are, but for a cylinder on a hub: takes no [tractive_rolling]' \
-    check plates.toml
+    check "$work/plates.toml"
 refused 'fem-axisymmetric has no grid along which the contact could move by whole cells' \
     check "$cylinder" --set models='["fem-axisymmetric"]'
 sed "/^accuracy/d" "$source_dir/examples/cases/hemisphere.toml" >hemisphere.toml
 refused "fem rolls a cylinder or ball on a hub on; a hemisphere held by a rigid holder has another stiffness" \
-    check hemisphere.toml --set models='["fem"]' --set tractive_rolling.distance=1
+    check "$work/hemisphere.toml" --set models='["fem"]' --set tractive_rolling.distance=1
 finish
