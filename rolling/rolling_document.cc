@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/heat.h"
+#include "contact/models/model_kind.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 
@@ -145,6 +146,19 @@ std::string variation_sentence(const RollingRun& run) {
         report::display_name(run.model), report::share(*run.variation, 2));
 }
 
+/// Of an indenter that deforms about its hub.
+std::string small_strain_sentence(const RollingReport& report, const RollingRun& run) {
+    const Case& c = report.c;
+    if (!contact::model_kind(run.model).is_meshed() || !c.indenter.body) return {};
+    const double square = std::pow(run.history.steady.half_length / c.indenter.radius, 2);
+    return fmt::format(
+        "{}: bodies that deform creep without a force, too, by the order of (a/R)² = {}, {} units: "
+        "what small strains neglect. Half the difference of ξ under F_T and −F_T is free of "
+        "it.",
+        report::display_name(run.model), report::significant(square, 2),
+        report::significant(square / creepage_unit(c), 2));
+}
+
 Settings settings_of(const Case& c) {
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
     Settings settings{
@@ -203,6 +217,7 @@ report::Document rolling_document(const RollingReport& report) {
         add(steady_sentence(report, run));
         add(states_sentence(report, run));
         add(variation_sentence(run));
+        add(small_strain_sentence(report, run));
         add(resistance_sentence(report, run));
         add(heat_sentence(report, run));
         add(free_sentence(report, run));
