@@ -25,6 +25,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double other_disc = pi / 3;  // from the other pole to its circle
 constexpr double highest_row = pi / 10;
+constexpr double widest_rolled = .42;  // of half a square patch over R: discs fold from .46 on
 
 // From the base to the surface, over the way between them.
 std::vector<double> depths(double length, double size, double growth) {
@@ -133,9 +134,19 @@ class OnBall {
 
 }  // namespace
 
-HexMesh make_hub_ball_mesh(const HubBallMeshSpec& s) {
+HexMesh make_hub_ball_mesh(const HubBallMeshSpec& spec) {
+    HubBallMeshSpec s = spec;
+    // Rings around a patch that is longer than wide would fold: it is part of a square one.
+    if (s.rolls) s.patch_x = s.patch_y = std::max(s.patch_x, s.patch_y);
     check_lengths({s.radius, s.size, s.patch_x, s.patch_y}, s.growth);
     check_hub(s.hub_radius, s.radius);
+    if (s.rolls && s.patch_x > widest_rolled * s.radius)
+        fail(round_body,
+             fmt::format(
+                 "the contact with its way reaches {:.4g} m to a side, too far for a ball of "
+                 "the radius {:.4g} m: more than 24 degrees",
+                 s.patch_x, s.radius),
+             "reduce the rolling amplitude or the load, or enlarge the radius");
     const double corner = std::hypot(s.patch_x, s.patch_y), R = s.radius;
     check_width(corner, R);
     const double rim = rim_of_ball(std::asin(corner / R));
@@ -155,8 +166,14 @@ HexMesh make_hub_ball_mesh(const HubBallMeshSpec& s) {
     for (int node = 0; node < disc.n_nodes(); ++node)
         sphere.nodes.push_back(on_ball(disc.node(node)[0], disc.node(node)[1]));
     sphere.quads = disc.quads();
-    for (std::size_t q = 0; q < disc.quads().size(); ++q)
-        sphere.in_patch.push_back(disc.in_patch(q));
+    for (std::size_t q = 0; q < disc.quads().size(); ++q) {
+        const bool within = std::ranges::all_of(disc.quads()[q], [&](int node) {
+            const auto& [x, y] = disc.node(node);
+            const double rounding = 1e-6 * s.size;
+            return std::abs(x) <= spec.patch_x + rounding && std::abs(y) <= spec.patch_y + rounding;
+        });
+        sphere.in_patch.push_back(disc.in_patch(q) && within);
+    }
     close_sphere(disc, R, rim, s.half_model, sphere);
     const double hub = s.hub_radius / R;
     return in_layers(sphere.quads, sphere.in_patch, static_cast<int>(sphere.nodes.size()), n_layers,

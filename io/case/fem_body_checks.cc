@@ -17,7 +17,7 @@ using contact::Case;
 using contact::ElasticBody;
 
 constexpr double farthest_turn = 2;           // way over radius
-constexpr double farthest_turn_of_ball = .5;  // within a disc about its pole
+constexpr double farthest_turn_of_ball = .4;  // within a disc about its pole
 
 /// Why a body does not roll.
 std::string why_it_stands(const ElasticBody& body) {
@@ -122,8 +122,8 @@ void check_rolling_on_hub(const std::string& model, const Case& c, const Documen
                "turn the load instead, or leave indenter.body out");
     if (is_ball && reach > farthest_turn_of_ball * c.indenter.radius)
         refuse(document, key(),
-               model + " turns a ball about its hub by no more than 29 degrees to either side",
-               "reduce it to half a radius, or leave indenter.body out");
+               model + " turns a ball about its hub by no more than 23 degrees to either side",
+               "reduce it to 0.4 radii, or leave indenter.body out");
     if (reach > farthest_turn * c.indenter.radius)
         refuse(document, key(),
                model + " turns a cylinder about its hub by no more than 115 degrees to either side",
