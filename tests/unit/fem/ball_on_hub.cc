@@ -21,7 +21,6 @@ indentation [mm], offset_x [mm]
 """
 [fem]
 size = "0.5 mm"
-cache = "none"
 )";
 
 const std::string layer = "[substrate]\nyoung = \"4 MPa\"\npoisson = 0.3\nthickness = \"5 mm\"\n";

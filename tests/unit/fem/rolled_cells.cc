@@ -32,7 +32,6 @@ tangential_ratio = 0.5
 [tractive_rolling]
 distance = 2
 [fem]
-cache = "none"
 )";
 
 Case case_of(const std::string& model, const std::string& indenter, double size,
