@@ -25,6 +25,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double other_disc = pi / 3;  // from the other pole to its circle
 constexpr double highest_row = pi / 10;
+constexpr double widest_rolled = .42;  // of half a square patch over R: discs fold from .46 on
 
 // From the base to the surface, over the way between them.
 std::vector<double> depths(double length, double size, double growth) {
@@ -97,11 +98,55 @@ void check_hub(double hub_radius, double radius) {
              "make it thinner than the ball");
 }
 
+/// Nodes of the disc about the pole on the sphere: straight below their places in the plane, or, of
+/// a patch that `rolls`, as far along as there; between this patch and the rim from the one to the
+/// other.
+class OnBall {
+  public:
+    OnBall(const HubBallMeshSpec& s, double rim) : s_(s), rim_(rim) {}
+
+    Point operator()(double x, double y) const {
+        const double R = s_.radius, r = std::hypot(x, y);
+        const Point below{x, y, -r * r / (R + std::sqrt(R * R - r * r))};
+        if (!s_.rolls) return below;
+        const double share = beyond_patch(x, y, r), from_axis = std::sqrt(R * R - y * y);
+        const Point along{from_axis * std::sin(x / R), y, from_axis * std::cos(x / R) - R};
+        if (share == 0) return along;
+        Point between;
+        for (int d = 0; d < 3; ++d) between[d] = along[d] + share * (below[d] - along[d]);
+        const double from_middle = std::hypot(between[0], between[1], between[2] + R);
+        return {R / from_middle * between[0], R / from_middle * between[1],
+                R / from_middle * (between[2] + R) - R};
+    }
+
+  private:
+    /// Share of the way from the patch to the rim, 0 in the patch.
+    double beyond_patch(double x, double y, double r) const {
+        const double stretch = std::max(std::abs(x) / s_.patch_x, std::abs(y) / s_.patch_y);
+        if (stretch <= 1 + 1e-12) return 0;
+        const double edge = std::asin(r / stretch / s_.radius);
+        return std::min(1., (std::asin(r / s_.radius) - edge) / (rim_ - edge));
+    }
+
+    HubBallMeshSpec s_;
+    double rim_;
+};
+
 }  // namespace
 
-HexMesh make_hub_ball_mesh(const HubBallMeshSpec& s) {
+HexMesh make_hub_ball_mesh(const HubBallMeshSpec& spec) {
+    HubBallMeshSpec s = spec;
+    // Rings around a patch that is longer than wide would fold: it is part of a square one.
+    if (s.rolls) s.patch_x = s.patch_y = std::max(s.patch_x, s.patch_y);
     check_lengths({s.radius, s.size, s.patch_x, s.patch_y}, s.growth);
     check_hub(s.hub_radius, s.radius);
+    if (s.rolls && s.patch_x > widest_rolled * s.radius)
+        fail(round_body,
+             fmt::format(
+                 "the contact with its way reaches {:.4g} m to a side, too far for a ball of "
+                 "the radius {:.4g} m: more than 24 degrees",
+                 s.patch_x, s.radius),
+             "reduce the rolling amplitude or the load, or enlarge the radius");
     const double corner = std::hypot(s.patch_x, s.patch_y), R = s.radius;
     check_width(corner, R);
     const double rim = rim_of_ball(std::asin(corner / R));
@@ -117,14 +162,18 @@ HexMesh make_hub_ball_mesh(const HubBallMeshSpec& s) {
     const int n_layers = static_cast<int>(depth.size()) - 1;
     check_count(2. * static_cast<double>(disc.quads().size()) * n_layers, s.size);
     Sphere sphere;
-    for (int node = 0; node < disc.n_nodes(); ++node) {
-        const auto& [x, y] = disc.node(node);
-        const double r2 = x * x + y * y;
-        sphere.nodes.push_back({x, y, -r2 / (R + std::sqrt(R * R - r2))});
-    }
+    const OnBall on_ball(s, rim);
+    for (int node = 0; node < disc.n_nodes(); ++node)
+        sphere.nodes.push_back(on_ball(disc.node(node)[0], disc.node(node)[1]));
     sphere.quads = disc.quads();
-    for (std::size_t q = 0; q < disc.quads().size(); ++q)
-        sphere.in_patch.push_back(disc.in_patch(q));
+    for (std::size_t q = 0; q < disc.quads().size(); ++q) {
+        const bool within = std::ranges::all_of(disc.quads()[q], [&](int node) {
+            const auto& [x, y] = disc.node(node);
+            const double rounding = 1e-6 * s.size;
+            return std::abs(x) <= spec.patch_x + rounding && std::abs(y) <= spec.patch_y + rounding;
+        });
+        sphere.in_patch.push_back(disc.in_patch(q) && within);
+    }
     close_sphere(disc, R, rim, s.half_model, sphere);
     const double hub = s.hub_radius / R;
     return in_layers(sphere.quads, sphere.in_patch, static_cast<int>(sphere.nodes.size()), n_layers,

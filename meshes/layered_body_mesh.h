@@ -14,6 +14,9 @@ struct HubBallMeshSpec {
     double patch_x = 0, patch_y = 0;  ///< half sides of the patch; whole numbers of `size`
     double growth = 1.8;              ///< of neighbouring elements, outwards; inwards growth^0.8
     bool half_model = false;          ///< y >= 0 only, plane of symmetry y = 0
+    /// Elements of the patch are equal along the surface instead of along x: turned about the axis
+    /// along y through the middle, the patch is the same.
+    bool rolls = false;
 };
 
 /// All of the ball, as a substrate of its own, whose contact patch is about the pole in the origin.

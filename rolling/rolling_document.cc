@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/heat.h"
+#include "contact/models/model_kind.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 
@@ -136,6 +137,28 @@ std::string free_sentence(const RollingReport& report, const RollingRun& run) {
     return text + ".";
 }
 
+/// Of finite elements that a finite block ends.
+std::string variation_sentence(const RollingRun& run) {
+    if (!run.variation) return {};
+    return fmt::format(
+        "{}: bodies that roll on are taken for the same along their surface. By where it is within "
+        "the contact, the response of a cell varies by {} of its own.",
+        report::display_name(run.model), report::share(*run.variation, 2));
+}
+
+/// Of an indenter that deforms about its hub.
+std::string small_strain_sentence(const RollingReport& report, const RollingRun& run) {
+    const Case& c = report.c;
+    if (!contact::model_kind(run.model).is_meshed() || !c.indenter.body) return {};
+    const double square = std::pow(run.history.steady.half_length / c.indenter.radius, 2);
+    return fmt::format(
+        "{}: bodies that deform creep without a force, too, by the order of (a/R)² = {}, {} units: "
+        "what small strains neglect. Half the difference of ξ under F_T and −F_T is free of "
+        "it.",
+        report::display_name(run.model), report::significant(square, 2),
+        report::significant(square / creepage_unit(c), 2));
+}
+
 Settings settings_of(const Case& c) {
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
     Settings settings{
@@ -167,7 +190,7 @@ Settings settings_of(const Case& c) {
     if (c.tractive_rolling->speed > 0)
         settings.emplace_back("v", report::given_quantity(c.tractive_rolling->speed, "m/s"));
     if (c.layer.thickness)
-        settings.emplace_back("layer, seen by BEM layer",
+        settings.emplace_back("layer, seen by BEM layer and FEM",
                               report::given_quantity(*c.layer.thickness, "m"));
     return settings;
 }
@@ -193,6 +216,8 @@ report::Document rolling_document(const RollingReport& report) {
     for (const RollingRun& run : report.runs) {
         add(steady_sentence(report, run));
         add(states_sentence(report, run));
+        add(variation_sentence(run));
+        add(small_strain_sentence(report, run));
         add(resistance_sentence(report, run));
         add(heat_sentence(report, run));
         add(free_sentence(report, run));

@@ -87,6 +87,7 @@ Json run_json(const RollingReport& report, const RollingRun& run) {
          run.history.from_fast_slip ? state_json(*run.history.from_fast_slip, friction) : Json()},
         {"heat", heat_json(report, run)},
         {"numerical_error", error_json(run.error)},
+        {"response_variation", run.variation},
         {"rolled_steps", run.history.transient.size() - 1},
         {"steady_after", steady_after(report, run)},
         {"creep_curve", report::list_of(run.creep_curve, point)}};

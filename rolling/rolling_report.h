@@ -29,6 +29,9 @@ struct RollingRun {
     std::vector<CentreLine> lines;          ///< from rest on; the last one is steady
     std::vector<RollingState> creep_curve;  ///< steady, by growing longitudinal creepage
     std::optional<SteadyError> error = {};  ///< of the steady state; empty: not asked for
+    /// Of finite bodies: how much what a cell displaces varies within the contact by where the cell
+    /// is, over what it displaces itself [-]; empty: not known, or not at all.
+    std::optional<double> variation = {};
 };
 
 /// A run of all models and where it came from.

@@ -12,6 +12,7 @@
 #include "comparisons/run/input_reading.h"
 #include "contact/base/stopped.h"
 #include "contact/models/model_kind.h"
+#include "fem/settings.h"
 #include "io/results/output.h"
 #include "io/results/progress.h"
 #include "io/results/state_series.h"
@@ -79,7 +80,8 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
                           indenters.clear();
                           steady.clear();
                           indenter.reset();
-                      }};
+                      },
+                  .say = [&](const std::string& line) { options.say(line); }};
     if (c.of<io::Output>().vtk != io::Output::Vtk::none) {
         runs.show_steady = [&](const rolling::RollingHistory& history) {
             const contact::Surface& surface = history.surface;
@@ -110,29 +112,33 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
     return run;
 }
 
-/// The steady state on cells, or springs, so many times as large.
-rolling::RollingState coarser_steady(const std::string& model, const Case& c, double factor,
-                                     const RunCommandOptions& options) {
+/// The steady state on cells, or springs, so many times as large; `size` [m] of elements.
+rolling::RollingState coarser_steady(const std::string& model, const Case& c, double size,
+                                     double factor, const RunCommandOptions& options) {
     Case coarser = c;
-    comparisons::change_resolution(coarser, contact::model_kind(model), {.coarser = factor});
+    const contact::ModelKind& kind = contact::model_kind(model);
+    if (kind.is_meshed()) coarser.of<fem::Settings>().size = size;
+    comparisons::change_resolution(coarser, kind, {.coarser = factor});
     return roll(model, coarser, {.points = 0, .both_ends = false, .threads = options.threads})
         .history.steady;
 }
 
 /// What cells leave in a model's steady state. The run is none the worse for what stops these.
 rolling::SteadyError error_of(const std::string& model, const Case& c,
-                              const rolling::RollingState& steady,
+                              const rolling::RollingHistory& history,
                               const RunCommandOptions& options) {
+    const double size = history.surface.spacing[0];
     options.say(fmt::format("{}: once more on coarser cells", model));
     rolling::RollingState coarser;
     const std::string why =
-        contact::why_it_stopped([&] { coarser = coarser_steady(model, c, 2, options); });
+        contact::why_it_stopped([&] { coarser = coarser_steady(model, c, size, 2, options); });
     if (!why.empty()) return {.why_none = why};
     std::optional<rolling::RollingState> coarsest;
-    contact::why_it_stopped([&] { coarsest = coarser_steady(model, c, 4, options); });
-    return rolling::steady_error(c, model, steady, coarser, coarsest,
+    contact::why_it_stopped([&] { coarsest = coarser_steady(model, c, size, 4, options); });
+    const contact::ModelKind& kind = contact::model_kind(model);
+    return rolling::steady_error(c, model, history.steady, coarser, coarsest,
                                  options.makers->solver_tolerance(model, c),
-                                 comparisons::cell_size(c, contact::model_kind(model)));
+                                 kind.is_meshed() ? size : comparisons::cell_size(c, kind));
 }
 
 std::vector<std::pair<std::string, std::string>> files_of(const Case& c) {
@@ -163,7 +169,7 @@ void roll_models(const Case& c, const RunCommandOptions& options) {
     RollingReport report{.c = c, .runs = {}, .files = files_of(c), .version = files::version};
     for (const std::string& model : c.models) {
         rolling::RollingRun run = roll_model(model, c, options);
-        if (options.studies) run.error = error_of(model, c, run.history.steady, options);
+        if (options.studies) run.error = error_of(model, c, run.history, options);
         report.runs.push_back(std::move(run));
     }
     write(report, resolved, options);

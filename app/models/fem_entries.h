@@ -6,6 +6,7 @@
 #include "contact/model.h"
 #include "contact/model_makers.h"
 #include "contact/models/model_kind.h"
+#include "fem/cell_response.h"
 #include "meshes/layer_mesh.h"
 #include "runs/options.h"
 
@@ -34,6 +35,10 @@ struct FemEntries {
     std::unique_ptr<contact::Model> (*make_section_model)(const contact::ModelKind& kind,
                                                           const Case& c, const Say& say);
     double (*section_size)(const contact::ModelKind& kind, const Case& c);
+    /// What a cell of the surface of the case's bodies displaces, for a contact that rolls on:
+    /// within this half width [m], at least of the contact. Throws InputError, NotConverged.
+    fem::CellResponse (*cell_response)(const contact::ModelKind& kind, const Case& c,
+                                       double half_width, const Say& say);
     meshes::LayerMeshSpec (*mesh_spec)(const Case& c, const Say& say);
     /// Writes the mesh of the case's finite element layer (.msh, .vtu, and .geo if it is ours) and
     /// gives its quality. Throws InputError, NotConverged.

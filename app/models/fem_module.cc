@@ -13,15 +13,18 @@
 
 #include "app/models/fem_entries.h"
 #include "app/models/mesh_entries.h"
+#include "fem/case/body_cells.h"
 #include "fem/case/indenter_body.h"
 #include "fem/case/layer_condenser.h"
 #include "fem/case/model.h"
+#include "fem/case/section_cells.h"
 #include "fem/case/section_model.h"
 #include "fem/launcher.h"
 #include "fem/layer_cache.h"
 #include "fem/settings.h"
 #include "files/partial_file.h"
 #include "io/case/case_reader.h"
+#include "io/case/rolling_on.h"
 #include "io/results/vtk_files.h"
 #include "meshes/mesh_file.h"
 
@@ -122,6 +125,7 @@ class Order {
     explicit Order(const CondenseOptions& options)
         : case_(io::read_case(options.file, options.overrides)),
           cache_(case_.of<fem::Settings>().cache) {
+        io::refuse_rolling_on(case_, options.file);
         if (cache_.folder().empty())
             throw contact::InputError(
                 "fem.cache: cache condense keeps the layer for later runs, but nothing is to be "
@@ -223,6 +227,7 @@ Answer clear(const std::string& folder, const std::vector<fem::KeptLayer>& layer
 
 Answer write_mesh_of(CommandOptions options) {
     const Case c = io::read_case(options.file, options.overrides);
+    io::refuse_rolling_on(c, options.file);
     require_rigid_indenter(c, "mesh writes");
     options.choose_folder();
     std::string geometry;  // of a mesh of our own
@@ -315,6 +320,11 @@ extern "C" const tricontact::app::FemEntries* tricontact_fem_entries() {
         },
         [](const contact::ModelKind& kind, const app::Case& c) {
             return fem::section_size(kind, c);
+        },
+        [](const contact::ModelKind& kind, const app::Case& c, double half_width,
+           const app::Say& say) {
+            return kind.is_section() ? fem::section_cells(kind, c, half_width, say)
+                                     : fem::body_cells(c, half_width, say);
         },
         [](const app::Case& c, const app::Say& say) { return fem::mesh_spec(c, say); },
         app::write_mesh_of,

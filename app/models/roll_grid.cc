@@ -2,8 +2,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "app/models/make_model.h"
+#include "app/models/roll_elements.h"
 #include "app/models/roll_models.h"
-#include "bem/settings.h"
 #include "bem/steady_model.h"
 #include "contact/base/stopped.h"
 #include "contact/heat.h"
@@ -34,7 +35,8 @@ double normal_force(const Case& c, const contact::Substrate& substrate,
     return rolling::TransientRolling(substrate, pressing).press().normal_force;
 }
 
-RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
+RollingProblem problem_of(const std::string& model, const Case& c,
+                          const contact::Substrate& substrate) {
     const Case::TractiveRolling& given = *c.tractive_rolling;
     RollingProblem problem{
         .indenter = c.make_indenter(),
@@ -45,7 +47,7 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
                   .force_ratio = {},
                   .spin = given.spin},
         .coupling = c.contact.coupling,
-        .tolerance = c.of<bem::Settings>().tolerance,
+        .tolerance = model_makers().solver_tolerance(model, c),
         .speed = given.speed,
         .rate = c.friction.rate};
     if (const auto* heat = c.kept.find<contact::ContactHeat>()) problem.heat = *heat;
@@ -92,11 +94,15 @@ double sliding_creepage(const Case& c) {
 /// `aside`: see bem::case_compliance.
 RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns& runs,
                         double aside) {
-    const bem::Body body =
-        contact::model_kind(model).is_half_space() ? bem::Body::half_space : bem::Body::layer;
-    const auto substrate = bem::make_substrate(c, runs.threads, body, aside);
-    RollingProblem problem = problem_of(c, *substrate);
+    const contact::ModelKind& kind = contact::model_kind(model);
+    const bem::Body body = kind.is_half_space() ? bem::Body::half_space : bem::Body::layer;
     RollRecorder recorder{{model, {}, {}, {}}, runs, c.friction};
+    RolledElements elements;
+    if (kind.is_meshed()) elements = rolled_elements(model, c, runs, aside);
+    recorder.run.variation = elements.variation;
+    const auto substrate = kind.is_meshed() ? std::move(elements.substrate)
+                                            : bem::make_substrate(c, runs.threads, body, aside);
+    RollingProblem problem = problem_of(model, c, *substrate);
     rolling::TransientRolling rolling(*substrate, problem);
     roll_on(c, rolling, recorder);
     contact::require_sound(rolling.audit(), model);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contact/case.h"
+#include "contact/model_makers.h"
 #include "rolling/rolling_report.h"
 
 namespace tricontact::app {
@@ -30,6 +31,8 @@ struct RollRuns {
     /// Called before the contact rolls again from rest, on a larger grid than has proved too small:
     /// what was shown before is void.
     std::function<void()> begin_again = {};
+    /// Receives a line about what models choose.
+    contact::Say say = {};
 };
 
 /// What a model's run consists of, as it comes about.

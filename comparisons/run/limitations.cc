@@ -146,7 +146,8 @@ std::vector<std::string> rolling_body_sentences(const contact::Case& c,
     using contact::ElasticBody;
     std::vector<std::string> sentences;
     const auto& body = c.indenter.body;
-    if (!body || body->form != ElasticBody::Form::cylinder ||
+    const bool is_ball = body && body->form == ElasticBody::Form::ball;
+    if (!body || !(is_ball || body->form == ElasticBody::Form::cylinder) ||
         body->support != ElasticBody::Support::hub ||
         !(contact::path_reach(c, c.indenter.radius)[0] > 0))
         return sentences;
@@ -155,9 +156,10 @@ std::vector<std::string> rolling_body_sentences(const contact::Case& c,
         const double a = s.number(quantities::contact_radius).value_or(0);
         const double slope = a / c.indenter.radius;
         sentences.push_back(fmt::format(
-            "{}: without a tangential force too the cylinder creeps by about (a/R)² = {} of its "
+            "{}: without a tangential force too the {} creeps by about (a/R)² = {} of its "
             "way, as much as small strains leave out: creep of that order is no result.",
-            report::display_name(s.model), report::significant(slope * slope, 2)));
+            report::display_name(s.model), is_ball ? "ball" : "cylinder",
+            report::significant(slope * slope, 2)));
         if (const auto shift = s.number(quantities::final_shift))
             sentences.push_back(fmt::format(
                 "{}: points that touch stay pairs. At the end the shift is {} of the contact "

@@ -103,6 +103,7 @@ constexpr std::array kinds{
               .sees_rigid_substrate = true,
               .sees_elastic_interface = true,
               .sees_adhesion = true,
+              .rolls_on = true,
               .maps = models::bem_layer},
     ModelKind{.name = models::fem_plane,
               .title = "FEM plane strain",
@@ -116,7 +117,8 @@ constexpr std::array kinds{
               .section = "fem",
               .resolution = "fem.size",
               .sees_indenter_body = true,
-              .sees_rigid_substrate = true},
+              .sees_rigid_substrate = true,
+              .rolls_on = true},
     ModelKind{.name = models::fem_axisymmetric,
               .title = "FEM of revolution",
               .text = "finite elements of the section of bodies of revolution, pressed along their "

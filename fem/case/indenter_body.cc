@@ -30,7 +30,8 @@ meshes::HexMesh mesh_of(const Case& c, const meshes::LayerMeshSpec& patch) {
                                                    .patch_x = patch.patch_x,
                                                    .patch_y = patch.patch_y,
                                                    .growth = patch.growth,
-                                                   .half_model = patch.half_model});
+                                                   .half_model = patch.half_model,
+                                                   .rolls = rolls_on_its_hub(c)});
             return meshes::make_half_ball_mesh({.radius = c.indenter.radius,
                                                 .size = patch.size,
                                                 .patch_x = patch.patch_x,
@@ -68,9 +69,11 @@ meshes::HexMesh mesh_of(const Case& c, const meshes::LayerMeshSpec& patch) {
 }  // namespace
 
 bool rolls_on_its_hub(const Case& c) {
-    return c.indenter.body && c.indenter.body->form == ElasticBody::Form::cylinder &&
-           c.indenter.body->support == ElasticBody::Support::hub &&
-           contact::path_reach(c, c.indenter.radius)[0] > 0;
+    const auto& body = c.indenter.body;
+    if (!body || body->support != ElasticBody::Support::hub) return false;
+    const bool moves = contact::path_reach(c, c.indenter.radius)[0] > 0;
+    if (body->form == ElasticBody::Form::ball) return moves;
+    return body->form == ElasticBody::Form::cylinder && (moves || c.tractive_rolling);
 }
 
 LayerProblem indenter_problem(const Case& c, const meshes::LayerMeshSpec& patch) {

@@ -6,9 +6,10 @@
 
 namespace tricontact::fem {
 
-/// Whether the indenter is a cylinder around a hub that rolls. It turns about the hub, and each of
-/// its points meets that point of the other surface which is as far along: pairs of points stay,
-/// and in frames of its own points its patch is the same anywhere around the hub.
+/// Whether the indenter is a cylinder or ball around a hub that rolls. It turns about the hub, and
+/// each of its points meets that point of the other surface which is as far along: pairs of points
+/// stay, and in frames of its own points its patch is the same anywhere around the axis. A ball
+/// that rolls on is not: of it one cell is meshed, where it stands.
 bool rolls_on_its_hub(const contact::Case& c);
 
 /// The body of an indenter that deforms, as a substrate of its own whose contact patch matches that

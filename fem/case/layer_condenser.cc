@@ -83,9 +83,9 @@ void LayerCondenser::to_frame_of_rolling(CondensedPart& indenter) const {
 std::unique_ptr<contact::Compliance> LayerCondenser::on_rigid_plane(
     const meshes::LayerMeshSpec& spec, CondensedPart indenter) const {
     ContactSurface plane = plane_patch(spec);
+    if (rolls_on_its_hub(case_) || case_.is_line_contact()) indenter.layer.points = plane.points;
+    to_frame_of_rolling(indenter);
     if (case_.is_line_contact()) {
-        indenter.layer.points = plane.points;
-        to_frame_of_rolling(indenter);
         indenter.layer = contact_line(indenter.layer);
         plane = {{}, indenter.layer.points, {}};
     }
@@ -99,9 +99,10 @@ std::unique_ptr<contact::Compliance> LayerCondenser::make_contact(
     CondensedPart indenter = part(indenter_problem(case_, spec), "indenter");
     if (case_.has_rigid_substrate) return on_rigid_plane(spec, std::move(indenter));
     CondensedPart layer = part(problem_of(case_, make_layer_mesh(spec)), "layer");
-    if (case_.is_line_contact()) {
+    if (rolls_on_its_hub(case_) || case_.is_line_contact())
         indenter.layer.points = layer.layer.points;
-        to_frame_of_rolling(indenter);
+    to_frame_of_rolling(indenter);
+    if (case_.is_line_contact()) {
         indenter.layer = contact_line(indenter.layer);
         layer.layer = contact_line(layer.layer);
     }

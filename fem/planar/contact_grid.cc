@@ -157,6 +157,22 @@ ContactGrid mortar(const std::vector<CondensedSection>& bodies) {
     return grid;
 }
 
+ContactGrid elements_of(const std::vector<CondensedSection>& bodies) {
+    const CondensedSection& body = bodies.front();
+    ContactGrid grid;
+    Entries entries;
+    for (const auto& edge : body.edges) {
+        const double length = body.along[edge[2]] - body.along[edge[0]];
+        constexpr std::array<double, 3> part{1. / 6, 4. / 6, 1. / 6};  // Simpson's, of a traction
+        for (std::size_t i = 0; i < 3; ++i)
+            entries.push_back({edge[i], static_cast<int>(grid.size()), part[i] * length});
+        grid.along.push_back(body.along[edge[1]]);
+        grid.area.push_back(length);
+    }
+    grid.transfer.assign(bodies.size(), entries);
+    return grid;
+}
+
 ContactGrid rings_on_nodes(const std::vector<CondensedSection>& bodies) {
     const CondensedSection& body = bodies.front();
     ContactGrid grid;

@@ -41,6 +41,11 @@ ContactGrid points_on_nodes(const std::vector<CondensedSection>& bodies);
 /// share.
 ContactGrid mortar(const std::vector<CondensedSection>& bodies);
 
+/// Points on the elements in plane strain of bodies whose nodes meet: pressures are constant on
+/// each of them, and displacements their means. The compliance of bodies that are the same anywhere
+/// along their surface then depends on the distance of points alone.
+ContactGrid elements_of(const std::vector<CondensedSection>& bodies);
+
 /// Rings about the axis, for a tension over the gap: linear functions between the nodes of a body
 /// of revolution, that of the first ring 1 up to the axis. They are all as wide; the weights of
 /// nodes alternate from 1 to 2, which holds the front of a tension.

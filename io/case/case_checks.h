@@ -103,6 +103,12 @@ inline bool is_cylinder_on_hub(const contact::ElasticBody& body) {
     return body.form == contact::ElasticBody::Form::cylinder &&
            body.support == contact::ElasticBody::Support::hub;
 }
+/// The same of a sphere, for bodies that roll on.
+inline bool is_round_on_hub(const contact::ElasticBody& body) {
+    return body.support == contact::ElasticBody::Support::hub &&
+           (body.form == contact::ElasticBody::Form::cylinder ||
+            body.form == contact::ElasticBody::Form::ball);
+}
 /// A cylinder on a hub turns no farther to either side than by 115 degrees, two radii of way, and
 /// its inside is shown where it stands upright.
 void check_rolling_on_hub(const std::string& model, const contact::Case& c,

@@ -16,15 +16,19 @@ namespace {
 using contact::Case;
 using contact::ElasticBody;
 
-constexpr double farthest_turn = 2;  // way over radius
+constexpr double farthest_turn = 2;           // way over radius
+constexpr double farthest_turn_of_ball = .4;  // within a disc about its pole
 
 /// Why a body does not roll.
 std::string why_it_stands(const ElasticBody& body) {
+    if (body.form == ElasticBody::Form::mesh)
+        return "whether a body of a file is one of revolution about the axis that it would roll "
+               "about "
+               "is not known";
     const std::string held = "a " + std::string(contact::body_form(body.form).title) + " held by " +
                              contact::title_of(body.support);
     if (body.support == ElasticBody::Support::plates || body.is_loose())
         return held + " stands by symmetry alone, which rolling breaks";
-    if (body.support == ElasticBody::Support::hub) return held + " is meshed where it stands";
     return held +
            " has another stiffness after it has turned: it is not of revolution about the "
            "axis that it rolls about";
@@ -33,21 +37,24 @@ std::string why_it_stands(const ElasticBody& body) {
 void check_motion(const Case& c, const Document& document) {
     const ElasticBody& body = *c.indenter.body;
     const std::string remedy = std::string("leave out fem, or ") + body.key();
-    if (c.tractive_rolling)
-        refuse(document, "tractive_rolling.distance",
-               "fem does not roll the body of an indenter on", remedy);
-    if (is_cylinder_on_hub(body)) {
+    if (c.tractive_rolling) {
+        if (!is_round_on_hub(body))
+            refuse(document, "tractive_rolling.distance",
+                   "fem rolls a cylinder or ball on a hub on; " + why_it_stands(body), remedy);
+        return;
+    }
+    if (is_round_on_hub(body)) {
         check_rolling_on_hub(contact::models::fem, c, document);
         return;
     }
     if (c.rolling)
         refuse(document, used(document, "rolling.amplitude_ratio", "rolling.amplitude"),
-               "fem rolls a cylinder on a hub; " + why_it_stands(body), remedy);
+               "fem rolls a cylinder or ball on a hub; " + why_it_stands(body), remedy);
     if (!c.prescribed_path) return;
     const contact::Vector2 reach = c.prescribed_path->reach();
     if (reach[0] > 0 || reach[1] > 0)
         refuse(document, path_key(document),
-               "fem moves a cylinder on a hub by rolling; " + why_it_stands(body),
+               "fem moves a cylinder or ball on a hub by rolling; " + why_it_stands(body),
                "leave its offsets out, or " + remedy);
 }
 
@@ -101,20 +108,33 @@ void check_meshes(const Case& c, const Document& document) {
 }  // namespace
 
 void check_rolling_on_hub(const std::string& model, const Case& c, const Document& document) {
-    const double reach = contact::path_reach(c, contact::half_space_scales(c).contact_radius)[0];
+    const contact::Vector2 way =
+        contact::path_reach(c, contact::half_space_scales(c).contact_radius);
+    const double reach = way[0];
+    const bool is_ball = c.indenter.body->form == ElasticBody::Form::ball;
+    const auto key = [&] {
+        return c.rolling ? used(document, "rolling.amplitude_ratio", "rolling.amplitude")
+                         : path_key(document);
+    };
+    if (is_ball && way[1] > 0)
+        refuse(document, c.rolling ? "rolling.angle" : key(),
+               model + " turns a ball on a hub about the axis along y: it rolls along x",
+               "turn the load instead, or leave indenter.body out");
+    if (is_ball && reach > farthest_turn_of_ball * c.indenter.radius)
+        refuse(document, key(),
+               model + " turns a ball about its hub by no more than 23 degrees to either side",
+               "reduce it to 0.4 radii, or leave indenter.body out");
     if (reach > farthest_turn * c.indenter.radius)
-        refuse(document,
-               c.rolling ? used(document, "rolling.amplitude_ratio", "rolling.amplitude")
-                         : path_key(document),
+        refuse(document, key(),
                model + " turns a cylinder about its hub by no more than 115 degrees to either side",
                "reduce it to two radii, or leave indenter.body out");
-    // The inside of the cylinder is that of the upright one.
+    // The inside of the body is that of the upright one.
     const Output::Volume volume = c.of<Output>().volume;
     if (!(reach > 0) || volume == Output::Volume::none) return;
     if (c.prescribed_path || volume == Output::Volume::quarters)
         refuse(document, "output.volume",
                model +
-                   " shows the inside of a cylinder that rolls where it stands upright, after a "
+                   " shows the inside of a body that rolls where it stands upright, after a "
                    "period of [rolling]",
                c.prescribed_path ? "omit it" : "take volume = \"last\"");
 }

@@ -8,6 +8,7 @@
 #include "contact/cells.h"
 #include "contact/heat.h"
 #include "contact/load_path.h"
+#include "fem/settings.h"
 #include "io/case/case_checks.h"
 #include "mdr/settings.h"
 
@@ -149,12 +150,38 @@ void check_cylinder(const Case& c, const Document& document) {
                    "omit it, or take a body that touches in an area");
 }
 
+/// Finite elements roll on what is the same anywhere along its surface, by what one cell displaces.
+void check_rolled_elements(const std::string& model, const Case& c, const Document& document) {
+    const std::string rolling = model + " rolls on by the response of one cell: ";
+    if (c.relaxation)
+        refuse(document, "substrate.relaxation.times",
+               rolling + "how bodies creep along the way is not computed",
+               "omit [substrate.relaxation], or take bem-layer");
+    if (c.law != Case::Law::linear)
+        refuse(document, "substrate.material",
+               rolling + "at finite strains responses do not add up",
+               "set it to \"linear\", or leave out " + model);
+    if (c.of<fem::Settings>().mesh)
+        refuse(document, "fem.mesh", rolling + "the block of a file is not the same along its way",
+               "omit it");
+    if (c.of<fem::Settings>().solver == fem::Solver::iterative)
+        refuse(document, "fem.solver", rolling + "that takes a factor", "leave it out");
+    if (document.find("fem.accuracy"))
+        refuse(document, "fem.accuracy", rolling + "its accuracy is that of the cells",
+               "give their size, fem.size");
+    if (c.is_cylindrical() && !c.is_line_contact())
+        refuse(document, "indenter.shape",
+               rolling + "the ends of a roller are not the same along y",
+               "take shape = \"cylinder\", or bem-layer");
+}
+
 void check_model(const std::string& model, const Case& c, const Document& document) {
     const ModelKind& kind = contact::model_kind(model);
     if (!kind.rolls_on)
         refuse(document, "models",
                model + " has no grid along which the contact could move by whole cells",
-               "take mdr, bem or bem-layer for [tractive_rolling]");
+               "take mdr, bem, bem-layer, fem or fem-plane for [tractive_rolling]");
+    if (kind.is_meshed()) check_rolled_elements(model, c, document);
     if (!kind.is_on_line()) return;
     for (const auto& [key, value] : across(*c.tractive_rolling))
         if (value != 0)

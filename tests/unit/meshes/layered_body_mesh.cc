@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <vector>
 
 #include "contact/base/error.h"
 #include "meshes/layer_mesh.h"
@@ -56,6 +59,38 @@ void expect_sound_and_matching(const HexMesh& mesh, double patch, bool half) {
                                                               .thickness = 5e-3,
                                                               .half_model = half,
                                                               .ends = {}})));
+}
+
+// Turned by an element about the axis along y through its middle, the patch of one that rolls falls
+// on itself; its rows are as far along y as the layer's.
+TEST(MeshesLayeredBody, BallThatRollsIsSoundAndHasAPatchOfRevolution) {
+    HubBallMeshSpec s = ball(4e-3, true);
+    s.patch_y = 1.6e-3;
+    s.rolls = true;
+    const HexMesh mesh = make_hub_ball_mesh(s);
+    expect_sound(mesh);
+    std::set<int> nodes;
+    for (const auto& face : mesh.faces)
+        if (face.boundary == Boundary::contact) nodes.insert(face.nodes.begin(), face.nodes.end());
+    std::vector<Point> patch;
+    for (const int node : nodes) patch.push_back(mesh.nodes[node]);
+    const double angle = s.size / s.radius, edge = s.radius * std::sin(s.patch_x / s.radius);
+    int n_turned = 0;
+    for (const Point& p : patch) {
+        const double up = p[2] + s.radius;
+        if (std::atan2(p[0], up) > s.patch_x / s.radius - angle / 2) continue;
+        const Point turned{std::cos(angle) * p[0] + std::sin(angle) * up, p[1],
+                           std::cos(angle) * up - std::sin(angle) * p[0] - s.radius};
+        const bool is_there = std::ranges::any_of(patch, [&](const Point& q) {
+            return std::hypot(q[0] - turned[0], q[1] - turned[1], q[2] - turned[2]) < 1e-12;
+        });
+        EXPECT_TRUE(is_there) << p[0] << ' ' << p[1];
+        ++n_turned;
+        EXPECT_LE(std::abs(p[0]), edge);
+        const double rows = p[1] / s.size;
+        EXPECT_NEAR(rows, std::round(rows), 1e-9);
+    }
+    EXPECT_EQ(n_turned, 10 * 3);  // columns of nodes less one, times rows
 }
 
 TEST(MeshesLayeredBody, BallOnAHubIsSoundAndMatchesTheLayer) {

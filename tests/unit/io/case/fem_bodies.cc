@@ -84,12 +84,12 @@ TEST(FemBodies, OfAHalfSpaceNothingIsMeshed) {
 TEST(FemBodies, RollAboutAHubAlone) {
     const std::string rolling = "[rolling]\namplitude_ratio = 0.2\nperiods = 2\n";
     EXPECT_EQ(refusal(hemisphere, "rigid = true\n", loaded + rolling),
-              "rolling.amplitude_ratio = 0.2: fem rolls a cylinder on a hub; a hemisphere held by "
-              "a rigid holder has another stiffness after it has turned: it is not of revolution "
+              "rolling.amplitude_ratio = 0.2: fem rolls a cylinder or ball on a hub; a hemisphere "
+              "held by a rigid holder has another stiffness after it has turned: it is not of revolution "
               "about the axis that it rolls about; leave out fem, or indenter.body");
     EXPECT_EQ(refusal(ball, "rigid = true\n", pressed + rolling),
-              "rolling.amplitude_ratio = 0.2: fem rolls a cylinder on a hub; a ball held by a "
-              "second plate stands by symmetry alone, which rolling breaks; leave out fem, or "
+              "rolling.amplitude_ratio = 0.2: fem rolls a cylinder or ball on a hub; a ball held "
+              "by a second plate stands by symmetry alone, which rolling breaks; leave out fem, or "
               "indenter.body");
     const std::string cylinder = "shape = \"cylinder\"\nlength = \"60 mm\"\n" + silicone +
                                  "body = \"cylinder\"\nsupport = \"hub\"\n"
@@ -99,7 +99,7 @@ TEST(FemBodies, RollAboutAHubAlone) {
     EXPECT_EQ(refusal(cylinder, layer, loaded + rolling + "[output]\nvolume = \"last\"\n"),
               "accepted");
     EXPECT_EQ(refusal(cylinder, layer, loaded + rolling + "[output]\nvolume = \"quarters\"\n"),
-              "output.volume = \"quarters\": fem shows the inside of a cylinder that rolls where "
+              "output.volume = \"quarters\": fem shows the inside of a body that rolls where "
               "it stands upright, after a period of [rolling]; take volume = \"last\"");
     EXPECT_EQ(refusal(cylinder, layer, loaded + "[rolling]\namplitude = \"21 mm\"\nperiods = 2\n"),
               "rolling.amplitude = \"21 mm\": fem turns a cylinder about its hub by no more than "
