@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "contact/base/error.h"
+#include "contact/bodies/upper_plate.h"
 #include "contact/half_space_scales.h"
 #include "contact/load_path.h"
 #include "contact/relaxing_case.h"
@@ -14,11 +14,11 @@
 #include "contact/surface_model.h"
 #include "fem/case/conforming_friction.h"
 #include "fem/case/conforming_model.h"
-#include "fem/case/indenter_body.h"
 #include "fem/case/mesh_choice.h"
 #include "fem/case/model_of_revolution.h"
+#include "fem/case/plates_model.h"
+#include "fem/case/section_bodies.h"
 #include "fem/planar/pair.h"
-#include "fem/planar/sections.h"
 #include "fem/settings.h"
 
 // From a case to a model of a section, as fem/case/model.cc to one in three dimensions:
@@ -31,7 +31,6 @@
 namespace tricontact::fem {
 
 using contact::Case;
-using contact::ElasticBody;
 using contact::ModelKind;
 using planar::Solid;
 
@@ -44,140 +43,12 @@ constexpr int probing_elements = 8;     // across the half width that is expecte
 constexpr int most_probes = 20;
 constexpr int fewest_elements = 24;
 constexpr int fewest_attracted = 60;  // as a contact lets go its radius is about half of it
-constexpr double widest_angle = 88 * std::numbers::pi / 180;  // of a contact in a hole
-constexpr double far_side = 20;  // of the layer's side from the patch, in thicknesses
 
 /// Elements across the contact whose force errs by no more: spheres and cylinders on meshes of 8 to
 /// 60 of them err by less than .16/n^2 (tests/verification/fem/planar). No fewer than 24, since
 /// they cost nothing.
 int elements_for(double accuracy) {
     return std::max(fewest_elements, static_cast<int>(std::ceil(.4 / std::sqrt(accuracy))));
-}
-
-struct Patch {
-    double half_width, size;
-    bool is_whole_face = false;  ///< ends where the indenter does
-};
-
-/// Of the bodies below their contact [m].
-double least_depth(const Case& c) {
-    if (c.has_hole() && !c.indenter.body) return c.hole.outer_radius - c.hole.radius;
-    const contact::ElasticBody& body = *c.indenter.body;
-    if (c.indenter.is_punch()) return body.height;
-    return body.support == ElasticBody::Support::hub ? c.indenter.radius - body.hub_radius
-                                                     : c.indenter.radius / 2;
-}
-
-planar::Sizes sizes_of(const Case& c, const Patch& patch) {
-    const int n = std::max(2, static_cast<int>(std::ceil(patch.half_width / patch.size - 1e-9)));
-    const double size = patch.is_whole_face ? patch.half_width / n : patch.size;
-    // Growth of fem.growth, which is meant for hexahedra, is too coarse for what costs nothing.
-    const double growth = 1 + (c.of<Settings>().growth - 1) / 3;
-    double depth = c.layer.thickness.value_or(contact::infinity);
-    if (c.indenter.body || c.has_hole()) depth = std::min(depth, least_depth(c));
-    const int deep = std::max(1, static_cast<int>(std::min(n / 6., depth / 4 / size)));
-    return {n, size, growth, deep};
-}
-
-/// A section on both sides of x = 0, or from the axis outwards; `round_frame`: radius along which
-/// it is pressed [m], 0: along z.
-planar::BodyProblem problem_of(planar::Mesh half, Solid solid, const contact::Material& material,
-                               planar::Support support, double round_frame = 0) {
-    planar::BodyProblem problem;
-    if (round_frame > 0) problem.frame = planar::Frame::round;
-    problem.radius = round_frame;
-    problem.mesh = solid == Solid::plane_strain ? with_mirror_image(half) : std::move(half);
-    problem.solid = solid;
-    problem.material = material;
-    problem.support = support;
-    return problem;
-}
-
-planar::CondensedSection layer_of(const Case& c, Solid solid, const planar::Sizes& sizes) {
-    const double thickness = *c.layer.thickness;
-    const double side = c.layer.width ? *c.layer.width / 2 : sizes.patch() + far_side * thickness;
-    if (!(sizes.patch() < side))
-        throw contact::InputError(fmt::format(
-            "substrate.width: the contact's {:.4g} m to either side reach the edge; enlarge it",
-            sizes.patch()));
-    return condense(problem_of(layer_section(sizes, side, thickness), solid, c.substrate,
-                               c.layer.base == Case::Base::frictionless ? planar::Support::sliding
-                                                                        : planar::Support::bonded));
-}
-
-planar::Mesh indenter_mesh(const Case& c, const planar::Sizes& sizes) {
-    const contact::ElasticBody& body = *c.indenter.body;
-    const double radius = c.indenter.radius;
-    if (rolls_on_its_hub(c)) return pin_section(sizes, radius, body.hub_radius);
-    if (body.support == ElasticBody::Support::hub)
-        return disc_section(sizes, radius, body.hub_radius);
-    if (!c.indenter.is_punch()) return half_disc_section(sizes, radius);
-    const auto indenter = c.make_indenter();
-    // Of a punch with a sharp edge the radius is 0.
-    return block_section(sizes, c.indenter.flat_radius + radius, body.height,
-                         [&](double x) { return indenter->height(x, 0); });
-}
-
-planar::Support support_of(ElasticBody::Support support) {
-    switch (support) {
-        case ElasticBody::Support::plates:  // the middle plane stays where it is
-            return planar::Support::sliding;
-        case ElasticBody::Support::force:
-            return planar::Support::point;
-        case ElasticBody::Support::pressure:
-            return planar::Support::even;
-        default:
-            return planar::Support::bonded;
-    }
-}
-
-planar::CondensedSection indenter_of(const Case& c, Solid solid, const planar::Sizes& sizes) {
-    return condense(problem_of(indenter_mesh(c, sizes), solid, *c.indenter.material,
-                               support_of(c.indenter.body->support),
-                               rolls_on_its_hub(c) ? c.indenter.radius : 0));
-}
-
-// Plane strain has no length of its own: the hole is meshed about the pin's radius, so that points
-// of both bodies are joined by their angle.
-std::vector<planar::CondensedSection> pin_and_hole(const Case& c, const planar::Sizes& sizes) {
-    const double radius = c.indenter.radius;
-    std::vector<planar::CondensedSection> bodies;
-    const auto add = [&](planar::Mesh half, const contact::Material& material) {
-        bodies.push_back(condense(problem_of(std::move(half), Solid::plane_strain, material,
-                                             planar::Support::bonded, radius)));
-    };
-    if (c.indenter.body)
-        add(pin_section(sizes, radius, c.indenter.body->hub_radius), *c.indenter.material);
-    if (!c.has_rigid_substrate)
-        add(hole_section(sizes, radius, c.hole.outer_radius * radius / c.hole.radius), c.substrate);
-    return bodies;
-}
-
-/// Of this half width, or all of a sharp punch's face if that is no more than a little wider.
-Patch patch_of(const Case& c, double half_width, double size) {
-    if (c.indenter.shape != Case::Shape::flat_punch) return {half_width, size};
-    const double face = c.indenter.flat_radius;
-    if (half_width > face - 2 * size) return {face, size, true};
-    return {half_width, size};
-}
-
-/// Most that a patch may have of the bodies [m].
-double widest_patch(const Case& c) {
-    if (c.has_hole()) return widest_angle * c.indenter.radius;
-    if (c.indenter.shape == Case::Shape::flat_punch) return c.indenter.flat_radius;
-    if (!c.indenter.body) return contact::infinity;
-    if (c.indenter.is_punch()) return .95 * (c.indenter.flat_radius + c.indenter.radius);
-    if (rolls_on_its_hub(c)) return 2.7 * c.indenter.radius;  // along its surface, pi R
-    return .65 * c.indenter.radius;  // what is beyond, the mesh needs to grow in
-}
-
-std::vector<planar::CondensedSection> bodies_of(const Case& c, Solid solid,
-                                                const planar::Sizes& sizes) {
-    if (c.has_hole()) return pin_and_hole(c, sizes);
-    std::vector<planar::CondensedSection> bodies;
-    if (c.indenter.body) bodies.push_back(indenter_of(c, solid, sizes));
-    if (!c.has_rigid_substrate) bodies.push_back(layer_of(c, solid, sizes));
-    return bodies;
 }
 
 [[noreturn]] void refuse_too_large(const Case& c, double half_width) {
@@ -187,11 +58,13 @@ std::vector<planar::CondensedSection> bodies_of(const Case& c, Solid solid,
         half_width, c.has_hole() ? ", which the hole closes around" : ""));
 }
 
-std::unique_ptr<planar::SectionCompliance> compliance_of(const Case& c, Solid solid,
-                                                         const Patch& patch) {
+planar::Sizes fitting_sizes(const Case& c, const Patch& patch) {
     const planar::Sizes sizes = sizes_of(c, patch);
     if (sizes.patch() > widest_patch(c) * (1 + 1e-9)) refuse_too_large(c, sizes.patch());
-    const std::vector<planar::CondensedSection> bodies = bodies_of(c, solid, sizes);
+    return sizes;
+}
+
+planar::PairOptions pair_options(const Case& c, Solid solid, bool is_whole_face) {
     planar::PairOptions options;
     options.conforming = c.has_hole();
     options.with_friction = c.contact.coupling;
@@ -200,15 +73,28 @@ std::unique_ptr<planar::SectionCompliance> compliance_of(const Case& c, Solid so
     options.length = line ? c.indenter.length : 1;
     options.local_ratio =
         line ? 1 : c.materials().effective_modulus() / c.materials().effective_shear_modulus();
-    options.is_whole_face = patch.is_whole_face;
+    options.is_whole_face = is_whole_face;
     options.first_presses = c.indenter.body.has_value();
-    return pair_compliance(
-        bodies, c.adhesion ? planar::rings_on_nodes(bodies) : grid_between(bodies), options);
+    return options;
 }
 
-/// Half width or radius of the contact [m], 0 where it reaches the edge of the points; of surfaces
-/// that attract each other as far as they do.
-double pressed_radius(const Case& c, const contact::Compliance& compliance) {
+std::unique_ptr<planar::SectionCompliance> compliance_of(const Case& c, Solid solid,
+                                                         const Patch& patch) {
+    const std::vector<planar::CondensedSection> bodies =
+        bodies_of(c, solid, fitting_sizes(c, patch));
+    return pair_compliance(bodies,
+                           c.adhesion ? planar::rings_on_nodes(bodies) : grid_between(bodies),
+                           pair_options(c, solid, patch.is_whole_face));
+}
+
+/// Half width or radius of a contact [m], and its force [N].
+struct Probe {
+    double radius = 0, force = 0;
+};
+
+/// The radius is 0 where the contact reaches the edge of the points; of surfaces that attract each
+/// other they are pressed as far as they do.
+Probe pressed_on(const Case& c, const contact::Compliance& compliance) {
     contact::NormalControl hardest = contact::press_step(c).normal;
     hardest.value *= contact::crest_factor(c);
     const contact::ContactPoints& points = compliance.points();
@@ -216,25 +102,28 @@ double pressed_radius(const Case& c, const contact::Compliance& compliance) {
     const auto carries =
         c.adhesion ? attracted_by(c, compliance, height, hardest)
                    : contact::NormalSolver(compliance, 1e-6).solve(height, hardest).pressure;
-    if (reaches_edge(points, carries)) return 0;
-    return c.adhesion ? counted_radius(points, carries) : contact_radius(points, carries, {0, 0});
+    if (reaches_edge(points, carries)) return {};
+    Probe probe{c.adhesion ? counted_radius(points, carries)
+                           : contact_radius(points, carries, {0, 0})};
+    for (std::size_t i = 0; i < carries.size(); ++i) probe.force += points.area[i] * carries[i];
+    return probe;
 }
 
-/// Half width or radius of the contact under the case's hardest load [m], on coarse elements.
-double probed_radius(const Case& c, Solid solid) {
+/// The contact under the case's hardest load, on coarse elements.
+Probe probed(const Case& c, Solid solid) {
     double room = section_margin * contact::half_space_scales(c).contact_radius;
     const bool sharp = c.indenter.shape == Case::Shape::flat_punch;
     const double widest = sharp ? c.indenter.flat_radius : .99 * widest_patch(c);
     for (int k = 0; k < most_probes; ++k, room *= section_growth) {
         room = std::min(room, widest);
         const auto compliance = compliance_of(c, solid, patch_of(c, room, room / probing_elements));
-        const double radius = pressed_radius(c, *compliance);
-        if (radius == 0) {
+        const Probe probe = pressed_on(c, *compliance);
+        if (probe.radius == 0) {
             if (room >= widest) refuse_too_large(c, room);
             continue;
         }
-        if (radius > room / 4) return radius;
-        room = 2 * radius / section_growth;
+        if (probe.radius > room / 4) return probe;
+        room = 2 * probe.radius / section_growth;
     }
     throw contact::NotConverged("the radius of the contact was not found on coarse elements");
 }
@@ -259,12 +148,47 @@ double chosen_size(const Case& c, double radius) {
     return radius / (c.adhesion ? std::max(n, fewest_attracted) : n);
 }
 
+/// Of both contacts of a body between unlike plates the narrower and the wider one [m].
+struct Radii {
+    double least, most;
+};
+Radii probed_radii(const Case& c, Solid solid) {
+    const Probe lower = probed(c, solid);
+    if (!c.kept.find<contact::UpperPlate>()) return {lower.radius, lower.radius};
+    const double upper = probed(seen_from_above(c, lower.force), solid).radius;
+    return {std::min(lower.radius, upper), std::max(lower.radius, upper)};
+}
+
+PlatesModel::Compliances between_plates(const Case& c, Solid solid, const Patch& patch) {
+    const OpposedSections all =
+        opposed_sections(c, seen_from_above(c, 1), solid, fitting_sizes(c, patch));
+    const auto of = [&](const std::vector<planar::CondensedSection>& bodies) {
+        return pair_compliance(bodies, planar::points_on_nodes(bodies),
+                               pair_options(c, solid, patch.is_whole_face));
+    };
+    return {of(all.lower), of(all.upper), of(all.across)};
+}
+
+std::unique_ptr<contact::Model> make_plates_model(const ModelKind& kind, const Case& c,
+                                                  const Patch& patch) {
+    const Solid solid = solid_of(kind);
+    PlatesModel::Setup setup{kind.name, c.make_indenter(), c.friction.law(),
+                             c.of<Settings>().tolerance, c.contact};
+    if (solid == Solid::of_revolution)
+        setup.shear_modulus = c.materials().effective_shear_modulus();
+    setup.compliances = [=](double growth) {
+        return between_plates(c, solid, {growth * patch.half_width, patch.size});
+    };
+    setup.growth = section_growth;
+    return std::make_unique<PlatesModel>(std::move(setup));
+}
+
 }  // namespace
 
 double section_size(const ModelKind& kind, const Case& c) {
     require_bodies(c, kind);
     const Settings& settings = c.of<Settings>();
-    return settings.size ? *settings.size : chosen_size(c, probed_radius(c, solid_of(kind)));
+    return settings.size ? *settings.size : chosen_size(c, probed_radii(c, solid_of(kind)).least);
 }
 
 std::unique_ptr<contact::Model> make_section_model(const ModelKind& kind, const Case& c,
@@ -272,7 +196,7 @@ std::unique_ptr<contact::Model> make_section_model(const ModelKind& kind, const 
     require_bodies(c, kind);
     const Solid solid = solid_of(kind);
     const std::string name = kind.name;
-    const double radius = probed_radius(c, solid);
+    const auto [radius, widest] = probed_radii(c, solid);
     const Settings& settings = c.of<Settings>();
     const double size = settings.size ? *settings.size : chosen_size(c, radius);
     if (size > radius / 2)
@@ -281,11 +205,12 @@ std::unique_ptr<contact::Model> make_section_model(const ModelKind& kind, const 
             radius));
     const double margin = solid == Solid::of_revolution ? corner * section_margin : section_margin;
     const double ring = c.adhesion ? contact::points_without_range * size : 0;
-    const double half = std::min(margin * (radius + ring) + contact::path_reach(c, radius)[0],
+    const double half = std::min(margin * (widest + ring) + contact::path_reach(c, radius)[0],
                                  widest_patch(c) - size);
     if (say && !settings.size)
         say(fmt::format("{}: elements of {:.4g} mm, {:.3g} across the contact", name, 1e3 * size,
                         radius / size));
+    if (c.kept.find<contact::UpperPlate>()) return make_plates_model(kind, c, {half, size});
     const auto substrate = [=](const Case& of, double room) {
         const Patch patch = patch_of(of, room, size);
         const contact::ComplianceOf elastic = [=](const Case& other) {

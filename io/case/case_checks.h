@@ -144,6 +144,10 @@ void check_section(const contact::ModelKind& kind, const contact::Case& c,
 /// what is said of it and with the models.
 void check_bodies(const contact::Case& c, const Document& document);
 
+/// [upper_plate]: the part of the case, before its keys are read, and what it goes with.
+void make_upper_plate(contact::Case& c, const Document& document);
+void check_upper_plate(const contact::Case& c, const Document& document);
+
 /// A hole goes with a cylinder that fits into it, with models that know it, and with what is
 /// pressed without friction.
 void check_hole(const contact::Case& c, const Document& document);

@@ -73,6 +73,7 @@ void check_bodies(const Case& c, const Document& document) {
     check_hole(c, document);
     check_punch(c, document);
     if (c.indenter.body) check_form(c, document);
+    check_upper_plate(c, document);
     if (c.has_rigid_substrate) check_rigid_substrate(c, document);
 }
 
