@@ -9,7 +9,7 @@
 #include "contact/base/error.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
-#include "contact/opposed_contact.h"
+#include "contact/section_scales.h"
 
 namespace tricontact::runs {
 

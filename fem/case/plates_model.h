@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/opposed_contact.h"
+#include "contact/section_scales.h"
 #include "contact/surface_model.h"
 
 namespace tricontact::fem {

@@ -108,7 +108,7 @@ Case resolve(const Document& document) {
     for (const CaseKey& key : case_keys()) read_or_default(key, place_of(key, c), document, keys);
     if (c.has_rigid_substrate) c.substrate = contact::rigid_material;
     make_paths_absolute(c, document);
-    // There is friction if it is asked for, see check_hole(), check_upper_plate().
+    // There is friction if it is asked for, see check_hole(), check_bodies().
     if ((c.has_hole() || document.find_section("upper_plate")) &&
         !document.find("contact.coupling"))
         c.contact.coupling = false;

@@ -137,7 +137,7 @@ Case block_case(ElasticBody::Support support) {
     c.indenter.length = .02;
     c.indenter.body = ElasticBody{ElasticBody::Form::block, support};
     c.indenter.body->height = 2e-3;
-    c.of<fem::Settings>().size = 1e-3 / 24;
+    c.of<fem::Settings>().size = 1e-3 / 16;
     return c;
 }
 
