@@ -159,8 +159,10 @@ OpposedSections opposed_sections(const Case& c, const Case& upper, Solid solid,
                                  const planar::Sizes& sizes) {
     const planar::CondensedSection alike =
         half_of(body_held(c, solid, sizes, planar::Support::sliding));
-    const planar::CondensedSection opposite =
+    planar::CondensedSection opposite =
         half_of(body_held(c, solid, sizes, planar::Support::opposite));
+    // Opposite loads have no resultant: what holds the body takes nothing of them.
+    std::ranges::fill(opposite.missing_reaction, 0.);
     OpposedSections all{{alike, opposite}, {alike, opposite}, {alike, opposite}};
     if (!c.has_rigid_substrate) all.lower.push_back(layer_of(c, solid, sizes));
     if (!upper.has_rigid_substrate) all.upper.push_back(layer_of(upper, solid, sizes));
