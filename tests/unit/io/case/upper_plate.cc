@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "comparisons/quantities/left_out.h"
 #include "contact/base/error.h"
 #include "io/case/case_reader.h"
 
@@ -63,6 +64,13 @@ TEST(UpperPlate, IsReadAndWritten) {
     EXPECT_TRUE(rigid.kept.find<UpperPlate>()->is_rigid);
     EXPECT_EQ(write_case(parse_case(write_case(rigid), "again.toml")), write_case(rigid));
     EXPECT_EQ(write_case(rigid).find("thickness"), std::string::npos);
+}
+
+TEST(UpperPlate, IsLeftOutByModelsOfOneContact) {
+    const Case c = parse_case(ball, "case.toml", {"models=[\"fem-axisymmetric\", \"bem\"]"});
+    EXPECT_TRUE(comparisons::left_out(c, "fem-axisymmetric").empty());
+    const std::vector<std::string> left = comparisons::left_out(c, "bem");
+    EXPECT_EQ(left.back(), "upper_plate: the contact with the substrate alone");
 }
 
 TEST(UpperPlate, GoesWithABodyBetweenTwoPlatesThatIsPressedAlone) {
