@@ -201,6 +201,7 @@ void study_loading(const Case& c, contact::Model& model, const History& history,
         [&] { study.normal_stiffness[history.model] = frictionless_stiffness(c, model).value; });
     if (!c.indenter.body) return;
     contact::why_it_stopped([&] {
+        if (const auto found = upper_contact(c, model)) study.upper_contact[history.model] = *found;
         if (const auto found = sticking_stiffness(c, model))
             study.tangential_stiffness[history.model] = found->value;
     });

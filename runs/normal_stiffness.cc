@@ -9,6 +9,7 @@
 #include "contact/base/error.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
+#include "contact/section_scales.h"
 
 namespace tricontact::runs {
 
@@ -92,6 +93,14 @@ std::optional<Stiffness> sticking_stiffness(const contact::Case& c, contact::Mod
     const contact::StepRecord moved = fresh.advance(step);  // by what a rig leaves of it
     const double stiffness = moved.tangential_force[0] / moved.shift[0];
     return Stiffness{stiffness, of_edge * small_shift * stiffness};
+}
+
+std::optional<contact::Scales> upper_contact(const contact::Case& c, const contact::Model& model) {
+    const auto pressed = model.sibling(c.contact);
+    const auto* const both = dynamic_cast<const contact::OpposedContact*>(pressed.get());
+    if (!both) return {};
+    pressed->advance(hardest_press(c));
+    return both->upper_scales();
 }
 
 }  // namespace tricontact::runs

@@ -23,4 +23,7 @@ Stiffness frictionless_stiffness(const contact::Case& c, contact::Model& model);
 /// between plates. The model is used as above.
 std::optional<Stiffness> sticking_stiffness(const contact::Case& c, contact::Model& model);
 
+/// At that load the contact of a body with the upper of two unlike plates; empty of other models.
+std::optional<contact::Scales> upper_contact(const contact::Case& c, const contact::Model& model);
+
 }  // namespace tricontact::runs

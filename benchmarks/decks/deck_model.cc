@@ -9,6 +9,7 @@
 #include "benchmarks/decks/graded_line.h"
 #include "benchmarks/decks/ring_mesh.h"
 #include "contact/base/error.h"
+#include "contact/bodies/upper_plate.h"
 #include "contact/rig_stiffness.h"
 #include "contact/wearing_contact.h"
 
@@ -149,8 +150,7 @@ void set_friction(DeckModel& model, const contact::Case& c) {
     if (!c.contact.coupling)
         model.remarks.push_back(
             "The case has no coupling of normal and tangential contact; the deck has, as any code "
-            "of "
-            "finite elements.");
+            "of finite elements.");
 }
 
 // On a rigid plane: the body lies with its pole up, and the plane presses it.
@@ -162,9 +162,10 @@ void set_round_body(DeckModel& model, const contact::Case& c) {
     const bool is_on_hub = body.support == Body::Support::hub,
                is_roller = is_on_hub && body.form == Body::Form::cylinder &&
                            !c.has_rigid_substrate && c.layer.thickness;
-    if (!is_round || (is_on_hub && !is_roller) || body.is_loose())
+    if (!is_round || (is_on_hub && !is_roller) || body.is_loose() ||
+        c.kept.find<contact::UpperPlate>())
         refuse(
-            "bodies of decks are hemispheres on holders, balls and cylinders between plates, "
+            "bodies of decks are hemispheres on holders, balls and cylinders between equal plates, "
             "and cylinders on hubs that press a block",
             "take one of these, or compare results of an input of your own");
     if (model.shape == DeckModel::Shape::half || (model.mu > 0 && c.has_rigid_substrate))

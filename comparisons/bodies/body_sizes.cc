@@ -11,6 +11,7 @@
 #include "comparisons/resolution/refinement.h"
 #include "contact/base/error.h"
 #include "contact/bodies/body_forms.h"
+#include "contact/bodies/upper_plate.h"
 #include "contact/cells.h"
 #include "contact/models/model_kind.h"
 #include "fem/settings.h"
@@ -84,6 +85,10 @@ void require_comparable(const Case& c) {
         refuse(
             "substrate.rigid: the size of a body is judged on a rigid plane; set it to true, in "
             "place of the substrate's material, or judge the layer without --body");
+    if (c.kept.find<contact::UpperPlate>())
+        refuse(
+            "upper_plate: the size of a body is judged between plates that are alike; leave "
+            "[upper_plate] out");
     if (c.prescribed_path)
         refuse(
             "[path]: sizes are compared under one load; give load.normal_force in place of the "

@@ -22,6 +22,13 @@ bool touches_sharp_edge(const Subject& s) {
 }
 
 constexpr const char* in_a_hole = "of a pin in a hole";
+constexpr const char* between_plates =
+    "of bodies between unlike plates, beside runs, unless they are asked to go without studies";
+
+/// Set by results_beside.
+QuantityValue found_beside(const Subject&) {
+    return {};
+}
 
 }  // namespace
 
@@ -160,6 +167,41 @@ constinit const Quantity clearance_ratio{
     .is_column = false,
     .is_refined = false};
 
+constinit const Quantity upper_indentation{
+    .key = "upper_indentation_m",
+    .symbol = "d_2",
+    .unit = "m",
+    .name = "indentation of the upper plate",
+    .meaning =
+        "Approach of the upper plate to the mean of the body's middle plane, as the "
+        "indentation is that of the lower one; their sum is the approach of both plates.",
+    .defined = between_plates,
+    .of = found_beside,
+    .part = Part::pressed,
+    .is_column = false};
+
+constinit const Quantity upper_contact_radius{
+    .key = "upper_contact_radius_m",
+    .symbol = "a_2",
+    .unit = "m",
+    .name = "contact radius at the upper plate",
+    .meaning = "Radius, of a cylinder half width, of the contact with the upper plate.",
+    .defined = between_plates,
+    .of = found_beside,
+    .part = Part::pressed,
+    .is_column = false};
+
+constinit const Quantity upper_peak_pressure{
+    .key = "upper_peak_pressure_Pa",
+    .symbol = "p_2",
+    .unit = "Pa",
+    .name = "peak pressure at the upper plate",
+    .meaning = "Largest pressure in the contact with the upper plate.",
+    .defined = between_plates,
+    .of = found_beside,
+    .part = Part::pressed,
+    .is_column = false};
+
 constinit const Quantity border_force_share{
     .key = "border_force_share",
     .over = "F_N",
@@ -199,8 +241,7 @@ constinit const Quantity normal_stiffness{
         "that the case presses with, the hardest of a path; of relaxed substrates.",
     .defined = "beside runs, unless they are asked to go without studies",
     .source = "Pharr, Oliver and Brotzen (1992)",
-    // Further presses find it: set by results_beside.
-    .of = [](const Subject&) { return QuantityValue(); },
+    .of = found_beside,  // by further presses
     .part = Part::pressed,
     .is_column = false,
     .is_refined = true};
@@ -224,10 +265,10 @@ constinit const Quantity coupled_tangential_stiffness{
     .source = "Johnson (1985), 7.2"};
 
 List of_contact() {
-    return {&normal_force,     &indentation,     &contact_radius,     &peak_pressure,
-            &normal_stiffness, &unit_shift,      &tangential_ratio,   &contact_half_angle,
-            &conforming_peak,  &clearance_ratio, &border_force_share, &amplitude,
-            &amplitude_ratio};
+    return {&normal_force,        &indentation,        &contact_radius,    &peak_pressure,
+            &normal_stiffness,    &unit_shift,         &tangential_ratio,  &contact_half_angle,
+            &conforming_peak,     &clearance_ratio,    &upper_indentation, &upper_contact_radius,
+            &upper_peak_pressure, &border_force_share, &amplitude,         &amplitude_ratio};
 }
 
 }  // namespace tricontact::comparisons::quantities

@@ -4,6 +4,7 @@
 
 #include "comparisons/quantities/model_traits.h"
 #include "comparisons/quantities/reference.h"
+#include "contact/bodies/upper_plate.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
 
@@ -63,6 +64,8 @@ std::vector<std::string> left_out(const Case& c, const std::string& model) {
         all.emplace_back("indenter.young: the indenter is rigid");
     if (traits & half_space_indenter)
         all.emplace_back(std::string(c.indenter.body->key()) + ": the indenter is a half-space");
+    if ((traits & half_space_indenter) && c.kept.find<contact::UpperPlate>())
+        all.emplace_back("upper_plate: the contact with the substrate alone");
     if (!kind.sees_period && c.period) all.emplace_back("bem.period: one contact alone");
     return all;
 }

@@ -63,6 +63,13 @@ Results results_beside(const contact::Case& c, const contact::History& history,
     if (const auto found = study.normal_stiffness.find(history.model);
         found != study.normal_stiffness.end())
         results.set(quantities::normal_stiffness, finite(found->second));
+    if (const auto found = study.upper_contact.find(history.model);
+        found != study.upper_contact.end()) {
+        const contact::Scales& upper = found->second;
+        results.set(quantities::upper_indentation, finite(upper.indentation));
+        results.set(quantities::upper_contact_radius, finite(upper.contact_radius));
+        results.set(quantities::upper_peak_pressure, finite(upper.peak_pressure));
+    }
     return results;
 }
 

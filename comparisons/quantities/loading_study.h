@@ -41,6 +41,8 @@ struct LoadingStudy {
     std::map<std::string, double> normal_stiffness;  ///< dF_N/dd without friction [N/m], by model
     /// F_T/U [N/m] of contacts that stick, by model; of indenters with a body.
     std::map<std::string, double> tangential_stiffness = {};
+    /// Of bodies between unlike plates, by model: the contact with the upper one.
+    std::map<std::string, contact::Scales> upper_contact = {};
     bool with_variants = true;  ///< else the stiffness alone
 };
 

@@ -14,6 +14,8 @@ extern const Quantity normal_stiffness, tangential_stiffness, coupled_tangential
 extern const Quantity border_force_share;  // of height maps, contact.cc
 // Of a pin in a hole, contact.cc.
 extern const Quantity contact_half_angle, conforming_peak, clearance_ratio;
+// Of a body between unlike plates, contact.cc.
+extern const Quantity upper_indentation, upper_contact_radius, upper_peak_pressure;
 extern const Quantity static_shift, static_shift_ratio, final_shift, final_shift_ratio,
     settled_shift, settled_shift_ratio, settled_shift_error_ratio, shift_increment,
     shift_increment_ratio, shift_ratio_per_period, state, periods;                 // shift.cc

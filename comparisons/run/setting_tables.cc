@@ -10,6 +10,7 @@
 #include "comparisons/run/report_tables.h"
 #include "contact/bodies/body_forms.h"
 #include "contact/bodies/body_shapes.h"
+#include "contact/bodies/upper_plate.h"
 #include "contact/section_scales.h"
 #include "report/format.h"
 
@@ -131,6 +132,15 @@ void add_elastic_body(const Case& c, Settings& settings) {
     settings.add_unless_zero("height", body.height, "m");
 }
 
+void add_upper_plate(const Case& c, Settings& settings) {
+    const auto* const plate = c.kept.find<contact::UpperPlate>();
+    if (!plate) return;
+    if (plate->is_rigid) return settings.add("upper plate", "rigid plane");
+    settings.add("upper plate E_3", plate->material.young, "Pa");
+    settings.add("upper plate ν_3", plate->material.poisson);
+    settings.add("thickness of the upper plate", plate->thickness, "m");
+}
+
 void add_bodies(const Case& c, Settings& settings) {
     add_indenter(c, settings);
     if (c.indenter.material) {
@@ -140,6 +150,7 @@ void add_bodies(const Case& c, Settings& settings) {
         settings.add("indenter material", "rigid");
     }
     add_elastic_body(c, settings);
+    add_upper_plate(c, settings);
     settings.add("indenter yield stress Y_1", c.yield_stress.indenter, "Pa");
     settings.add("substrate yield stress Y_2", c.yield_stress.substrate, "Pa");
     if (c.has_hole()) {

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "comparisons/strength/body_strength.h"
+#include "contact/bodies/upper_plate.h"
 #include "contact/half_space_scales.h"
 #include "contact/load_path.h"
 #include "contact/section_scales.h"
@@ -151,6 +152,10 @@ void check_covered(const io::RigFile& file) {
         io::refuse(document, c.has_hole() ? "substrate.shape" : "indenter.shape",
                    "the formulas of rigs are those of round indenters on flat substrates",
                    "take one; tricontact run computes holes and punches");
+    if (c.kept.find<contact::UpperPlate>())
+        io::refuse(document, io::used(document, "upper_plate.rigid", "upper_plate.young"),
+                   "the formulas of rigs are those of one substrate",
+                   "omit [upper_plate]; tricontact run computes both contacts");
     if (!c.layer.thickness && c.has_rigid_substrate)
         io::refuse(document, "substrate.rigid",
                    "the formulas of rigs are those of an elastic substrate",

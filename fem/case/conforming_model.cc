@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "contact/base/error.h"
+#include "contact/base/state_bytes.h"
 #include "fem/case/conforming_friction.h"
 
 namespace tricontact::fem {
@@ -159,6 +160,23 @@ Surface ConformingModel::surface() const {
         friction_->law().bounds({s.normal_traction, x, y}, s.friction_bound);
     }
     return s;
+}
+
+std::string ConformingModel::write_state() const {
+    contact::StateWriter out;
+    out(last_.has_value(), last_.value_or(Pressed{}), along_z_->write_state());
+    return out.take();
+}
+
+void ConformingModel::read_state(std::string_view bytes) {
+    contact::StateReader in(bytes);
+    bool was_pressed = false;
+    Pressed last{};
+    std::string along_z;
+    in(was_pressed, last, along_z);
+    last_.reset();
+    if (was_pressed) last_ = last;
+    along_z_->read_state(along_z);
 }
 
 std::unique_ptr<contact::Model> ConformingModel::sibling(

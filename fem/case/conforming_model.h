@@ -42,11 +42,9 @@ class ConformingModel final : public contact::Model {
     double limit_tangential_ratio() const override { return along_z_->limit_tangential_ratio(); }
     void start_limit() override { along_z_->start_limit(); }
     std::unique_ptr<contact::Model> sibling(const contact::Case::Contact& options) const override;
-    std::string write_state() const override { return along_z_->write_state(); }
-    void read_state(std::string_view bytes) override {
-        last_.reset();
-        along_z_->read_state(bytes);
-    }
+    /// With the last load: a run that goes on knows where a pin is taken back.
+    std::string write_state() const override;
+    void read_state(std::string_view bytes) override;
     const contact::Audit& audit() const override { return along_z_->audit(); }
 
   private:

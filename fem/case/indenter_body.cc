@@ -3,6 +3,7 @@
 #include "contact/base/error.h"
 #include "contact/load_path.h"
 #include "fem/settings.h"
+#include "meshes/layer_mesh.h"
 #include "meshes/layered_body_mesh.h"
 #include "meshes/round_body_mesh.h"
 
@@ -58,15 +59,26 @@ meshes::HexMesh mesh_of(const Case& c, const meshes::LayerMeshSpec& patch) {
                  .profile = [shape = std::shared_ptr(c.make_indenter())](double r) {
                      return shape->height(r, 0);
                  }});
+        case ElasticBody::Form::block: {
+            meshes::LayerMeshSpec block = patch;
+            block.half_x = patch.patch_x;
+            block.thickness = body.height;
+            block.lower_thickness = 0;
+            return meshes::make_layer_mesh(block);
+        }
         default:  // of files: meshed_bodies.h
             break;
     }
     throw contact::InputError(
-        "indenter.body: fem meshes hemispheres, balls, cylinders and punches; choose one of these "
-        "or leave out fem");
+        "indenter.body: fem meshes hemispheres, balls, cylinders, punches and blocks; choose one "
+        "of these or leave out fem");
 }
 
 }  // namespace
+
+bool is_block(const Case& c) {
+    return c.indenter.body && c.indenter.body->form == ElasticBody::Form::block;
+}
 
 bool rolls_on_its_hub(const Case& c) {
     const auto& body = c.indenter.body;
@@ -85,7 +97,7 @@ LayerProblem indenter_problem(const Case& c, const meshes::LayerMeshSpec& patch)
         problem.held_by_symmetry = true;
     }
     problem.pressed_evenly = c.indenter.body->support == ElasticBody::Support::pressure;
-    if (c.is_cylindrical()) problem.line_length = c.indenter.length;
+    if (c.is_line_contact()) problem.line_length = c.indenter.length;
     return problem;
 }
 

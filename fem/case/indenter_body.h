@@ -6,6 +6,9 @@
 
 namespace tricontact::fem {
 
+/// A block along y: all of its face touches, up to sharp edges.
+bool is_block(const contact::Case& c);
+
 /// Whether the indenter is a cylinder or ball around a hub that rolls. It turns about the hub, and
 /// each of its points meets that point of the other surface which is as far along: pairs of points
 /// stay, and in frames of its own points its patch is the same anywhere around the axis. A ball

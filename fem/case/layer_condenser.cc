@@ -27,7 +27,7 @@ LayerProblem problem_of(const Case& c, meshes::HexMesh mesh) {
     // On a frictionless base only the sides can hold a layer that is pulled sideways.
     problem.sides =
         c.layer.base == Case::Base::frictionless ? Sides::fixed : c.of<Settings>().sides;
-    if (c.is_cylindrical())
+    if (c.is_cylindrical() || is_block(c))
         problem.line_length =
             std::min(c.indenter.length, c.layer.depth.value_or(c.indenter.length));
     return problem;
@@ -72,6 +72,13 @@ std::unique_ptr<CondensedCompliance> LayerCondenser::make(meshes::HexMesh mesh) 
         case_.interface, couples_by_element_means());
 }
 
+/// A block ends at its outermost points.
+CondensedLayer LayerCondenser::line_of(const CondensedLayer& slice) const {
+    CondensedLayer line = contact_line(slice);
+    line.points.is_whole_face = is_block(case_);
+    return line;
+}
+
 // Its points have the substrate's x already, which are along its surface.
 void LayerCondenser::to_frame_of_rolling(CondensedPart& indenter) const {
     if (!rolls_on_its_hub(case_)) return;
@@ -86,7 +93,7 @@ std::unique_ptr<contact::Compliance> LayerCondenser::on_rigid_plane(
     if (rolls_on_its_hub(case_) || case_.is_line_contact()) indenter.layer.points = plane.points;
     to_frame_of_rolling(indenter);
     if (case_.is_line_contact()) {
-        indenter.layer = contact_line(indenter.layer);
+        indenter.layer = line_of(indenter.layer);
         plane = {{}, indenter.layer.points, {}};
     }
     return std::make_unique<PairCompliance>(std::move(plane), std::move(indenter), case_.interface,
@@ -103,8 +110,8 @@ std::unique_ptr<contact::Compliance> LayerCondenser::make_contact(
         indenter.layer.points = layer.layer.points;
     to_frame_of_rolling(indenter);
     if (case_.is_line_contact()) {
-        indenter.layer = contact_line(indenter.layer);
-        layer.layer = contact_line(layer.layer);
+        indenter.layer = line_of(indenter.layer);
+        layer.layer = line_of(layer.layer);
     }
     return std::make_unique<PairCompliance>(std::move(layer), std::move(indenter), case_.interface,
                                             couples_by_element_means());

@@ -30,6 +30,7 @@ class LayerCondenser {
   private:
     bool couples_by_element_means() const;  ///< see joined()
     /// Where it rolls.
+    CondensedLayer line_of(const CondensedLayer& slice) const;
     void to_frame_of_rolling(CondensedPart& indenter) const;
     std::unique_ptr<contact::Compliance> on_rigid_plane(const meshes::LayerMeshSpec& spec,
                                                         CondensedPart indenter) const;

@@ -92,6 +92,7 @@ void lay_along(const Case& c, double reach, meshes::LayerMeshSpec& spec) {
 
 constexpr double coarse_elements = 4, fine_elements = 5.657;  // in the contact radius
 constexpr double assumed_order = 1.5;
+constexpr double order_of_blocks = 1;  // by their sharp edges
 
 /// A roller without its ends, where sharp ones have no finite pressure.
 Case middle_of(const Case& c) {
@@ -115,8 +116,9 @@ std::array<double, 4> pressed_values(const Case& c, double size, double radius,
     press.friction = false;
     model.advance(press);
     const contact::Scales s = model.scales();
-    // The pressure under a conical tip has no limit.
-    const double tip = contact::has_conical_tip(c) ? 1 : s.peak_pressure;
+    // The pressure under a conical tip, and under a sharp edge, has no limit.
+    const bool has_peak = !contact::has_conical_tip(c) && !is_block(c);
+    const double tip = has_peak ? s.peak_pressure : 1;
     return {s.indentation, s.normal_force, tip, s.unit_shift};
 }
 
@@ -169,7 +171,7 @@ double size_that_fits(const Case& c, meshes::LayerMeshSpec spec, const MemorySho
 
 // Sides are `far_sides` thicknesses away unless the case gives them; what a contact larger than
 // that needs is half of it beyond the patch. Patches end on whole elements, since the mesh inside
-// them is regular.
+// them is regular; that of a block is its face.
 meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius, double shift) {
     const Vector2 extent = path_extent(c, contact_radius);
     meshes::LayerMeshSpec spec;
@@ -186,7 +188,13 @@ meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius
         return given ? *given / 2 : std::max(reach, patch + reach / 2);
     };
     spec.half_x = half_side(c.layer.width, spec.patch_x);
-    if (c.is_cylindrical()) {
+    if (is_block(c)) {
+        const double half = c.indenter.flat_radius;
+        spec.size = half / std::max(2., std::ceil(half / size - 1e-9));
+        spec.patch_x = half;
+        spec.half_x = half_side(c.layer.width, half);
+    }
+    if (c.is_cylindrical() || is_block(c)) {
         lay_along(c, reach, spec);
     } else {
         spec.patch_y = whole_elements(contact_radius + extent[1], size);
@@ -197,6 +205,7 @@ meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius
 
 double probe_radius(const Case& c, const contact::NormalControl& control,
                     LayerCondenser& condenser) {
+    if (is_block(c)) return c.indenter.flat_radius;
     Case still = c;  // pressed only
     still.rolling.reset();
     still.prescribed_path.reset();
@@ -221,12 +230,12 @@ double size_for_accuracy(const Case& c, double radius, LayerCondenser& condenser
     const double coarse = narrow / coarse_elements, fine = narrow / fine_elements;
     const auto at_coarse = pressed_values(c, coarse, radius, condenser);
     const auto at_fine = pressed_values(c, fine, radius, condenser);
-    const double rest = 1 / (std::pow(coarse / fine, assumed_order) - 1);
+    const double order = is_block(c) ? order_of_blocks : assumed_order;
+    const double rest = 1 / (std::pow(coarse / fine, order) - 1);
     double error = 0;
     for (std::size_t k = 0; k < at_fine.size(); ++k)
         error = std::max(error, rest * std::abs(at_coarse[k] / at_fine[k] - 1));
-    const double factor =
-        std::pow(c.of<Settings>().accuracy.value_or(0.01) / error, 1 / assumed_order);
+    const double factor = std::pow(c.of<Settings>().accuracy.value_or(0.01) / error, 1 / order);
     return fine * std::min(1., factor);
 }
 

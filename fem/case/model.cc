@@ -8,6 +8,7 @@
 #include "contact/models/model_kind.h"
 #include "contact/relaxing_case.h"
 #include "contact/surface_model.h"
+#include "fem/case/indenter_body.h"
 #include "fem/case/iterative_model.h"
 #include "fem/case/layer_condenser.h"
 #include "fem/case/mesh_choice.h"
@@ -60,7 +61,8 @@ void say_what_was_chosen(const Case& c, const meshes::LayerMeshSpec& spec,
     if (!c.layer.width || !c.layer.depth)
         condenser.say(fmt::format("block of {:.4g} mm x {:.4g} mm where the case gives no size",
                                   2e3 * spec.half_x, 2e3 * spec.half_y));
-    const double least = c.is_cylindrical() ? spec.half_x : std::min(spec.half_x, spec.half_y);
+    const double least =
+        c.is_cylindrical() || is_block(c) ? spec.half_x : std::min(spec.half_x, spec.half_y);
     if (least < far_sides(c) * total * (1 - 1e-9))
         condenser.say(fmt::format(
             "the sides are {:.3g} layer thicknesses away, less than {:.3g}: they will be felt",
@@ -86,7 +88,8 @@ meshes::LayerMeshSpec spec_of(const Case& c, const Plan& plan) {
     const auto spec = spec_for(c, plan.size, plan.contact_radius, plan.shift);
     if (c.has_rigid_substrate) return spec;
     require_room("width", spec.half_x, spec.patch_x, spec.size);
-    if (!c.is_cylindrical()) require_room("depth", spec.half_y, spec.patch_y, spec.size);
+    if (!c.is_cylindrical() && !is_block(c))
+        require_room("depth", spec.half_y, spec.patch_y, spec.size);
     return spec;
 }
 

@@ -7,12 +7,8 @@
 #include <numbers>
 
 #include "contact/base/error.h"
-#include "contact/half_space_scales.h"
-#include "contact/load_path.h"
-#include "contact/solvers/contact_region.h"
-#include "contact/solvers/normal_solver.h"
+#include "contact/bodies/upper_plate.h"
 #include "fem/case/indenter_body.h"
-#include "fem/case/mesh_choice.h"
 #include "fem/planar/sections.h"
 #include "fem/settings.h"
 
@@ -20,26 +16,12 @@ namespace tricontact::fem {
 
 using contact::Case;
 using contact::ElasticBody;
-using contact::ModelKind;
 using planar::Solid;
 
 namespace {
 
-constexpr double probing_margin = 1.15;
-constexpr double room_growth = 1.5;  // of the room that is probed
-constexpr int probing_elements = 8;  // across the half width that is expected
-constexpr int most_probes = 20;
-constexpr int fewest_elements = 24;
-constexpr int fewest_attracted = 60;  // as a contact lets go its radius is about half of it
 constexpr double widest_angle = 88 * std::numbers::pi / 180;  // of a contact in a hole
 constexpr double far_side = 20;  // of the layer's side from the patch, in thicknesses
-
-/// Elements across the contact whose force errs by no more: spheres and cylinders on meshes of 8 to
-/// 60 of them err by less than .16/n^2 (tests/verification/fem/planar). No fewer than 24, since
-/// they cost nothing.
-int elements_for(double accuracy) {
-    return std::max(fewest_elements, static_cast<int>(std::ceil(.4 / std::sqrt(accuracy))));
-}
 
 /// Of the bodies below their contact [m].
 double least_depth(const Case& c) {
@@ -48,17 +30,6 @@ double least_depth(const Case& c) {
     if (c.indenter.is_punch()) return body.height;
     return body.support == ElasticBody::Support::hub ? c.indenter.radius - body.hub_radius
                                                      : c.indenter.radius / 2;
-}
-
-planar::Sizes sizes_of(const Case& c, const SectionPatch& patch) {
-    const int n = std::max(2, static_cast<int>(std::ceil(patch.half_width / patch.size - 1e-9)));
-    const double size = patch.is_whole_face ? patch.half_width / n : patch.size;
-    // Growth of fem.growth, which is meant for hexahedra, is too coarse for what costs nothing.
-    const double growth = 1 + (c.of<Settings>().growth - 1) / 3;
-    double depth = c.layer.thickness.value_or(contact::infinity);
-    if (c.indenter.body || c.has_hole()) depth = std::min(depth, least_depth(c));
-    const int deep = std::max(1, static_cast<int>(std::min(n / 6., depth / 4 / size)));
-    return {n, size, growth, deep};
 }
 
 /// A section on both sides of x = 0, or from the axis outwards; `round_frame`: radius along which
@@ -113,9 +84,9 @@ planar::Support support_of(ElasticBody::Support support) {
     }
 }
 
-planar::CondensedSection indenter_of(const Case& c, Solid solid, const planar::Sizes& sizes) {
-    return condense(problem_of(indenter_mesh(c, sizes), solid, *c.indenter.material,
-                               support_of(c.indenter.body->support),
+planar::CondensedSection body_held(const Case& c, Solid solid, const planar::Sizes& sizes,
+                                   planar::Support support) {
+    return condense(problem_of(indenter_mesh(c, sizes), solid, *c.indenter.material, support,
                                rolls_on_its_hub(c) ? c.indenter.radius : 0));
 }
 
@@ -135,30 +106,24 @@ std::vector<planar::CondensedSection> pin_and_hole(const Case& c, const planar::
     return bodies;
 }
 
-std::vector<planar::CondensedSection> bodies_of(const Case& c, Solid solid,
-                                                const planar::Sizes& sizes) {
-    if (c.has_hole()) return pin_and_hole(c, sizes);
-    std::vector<planar::CondensedSection> bodies;
-    if (c.indenter.body) bodies.push_back(indenter_of(c, solid, sizes));
-    if (!c.has_rigid_substrate) bodies.push_back(layer_of(c, solid, sizes));
-    return bodies;
-}
-
-/// Half width or radius of the contact [m], 0 where it reaches the edge of the points; of surfaces
-/// that attract each other as far as they do.
-double pressed_radius(const Case& c, const contact::Compliance& compliance) {
-    contact::NormalControl hardest = contact::press_step(c).normal;
-    hardest.value *= contact::crest_factor(c);
-    const contact::ContactPoints& points = compliance.points();
-    const auto height = heights_over(points, *c.make_indenter(), {0, 0});
-    const auto carries =
-        c.adhesion ? attracted_by(c, compliance, height, hardest)
-                   : contact::NormalSolver(compliance, 1e-6).solve(height, hardest).pressure;
-    if (reaches_edge(points, carries)) return 0;
-    return c.adhesion ? counted_radius(points, carries) : contact_radius(points, carries, {0, 0});
+/// Half of its compliance.
+planar::CondensedSection half_of(planar::CondensedSection body) {
+    for (double& entry : body.compliance) entry /= 2;
+    return body;
 }
 
 }  // namespace
+
+planar::Sizes sizes_of(const Case& c, const SectionPatch& patch) {
+    const int n = std::max(2, static_cast<int>(std::ceil(patch.half_width / patch.size - 1e-9)));
+    const double size = patch.is_whole_face ? patch.half_width / n : patch.size;
+    // Growth of fem.growth, which is meant for hexahedra, is too coarse for what costs nothing.
+    const double growth = 1 + (c.of<Settings>().growth - 1) / 3;
+    double depth = c.layer.thickness.value_or(contact::infinity);
+    if (c.indenter.body || c.has_hole()) depth = std::min(depth, least_depth(c));
+    const int deep = std::max(1, static_cast<int>(std::min(n / 6., depth / 4 / size)));
+    return {n, size, growth, deep};
+}
 
 SectionPatch section_patch(const Case& c, double half_width, double size) {
     if (c.indenter.shape != Case::Shape::flat_punch) return {half_width, size};
@@ -176,72 +141,47 @@ double widest_patch(const Case& c) {
     return .65 * c.indenter.radius;  // what is beyond, the mesh needs to grow in
 }
 
-void refuse_too_large(const Case& c, double half_width) {
-    throw contact::InputError(fmt::format(
-        "load: the contact, more than {:.4g} m to either side, is too large for the indenter's "
-        "body{}; reduce the load",
-        half_width, c.has_hole() ? ", which the hole closes around" : ""));
+std::vector<planar::CondensedSection> bodies_of(const Case& c, Solid solid,
+                                                const planar::Sizes& sizes) {
+    if (c.has_hole()) return pin_and_hole(c, sizes);
+    std::vector<planar::CondensedSection> bodies;
+    if (c.indenter.body)
+        bodies.push_back(body_held(c, solid, sizes, support_of(c.indenter.body->support)));
+    if (!c.has_rigid_substrate) bodies.push_back(layer_of(c, solid, sizes));
+    return bodies;
 }
 
-std::unique_ptr<planar::SectionCompliance> section_compliance(const Case& c, Solid solid,
-                                                              const SectionPatch& patch,
-                                                              SectionPoints points) {
-    const planar::Sizes sizes = sizes_of(c, patch);
-    if (sizes.patch() > widest_patch(c) * (1 + 1e-9)) refuse_too_large(c, sizes.patch());
-    const std::vector<planar::CondensedSection> bodies = bodies_of(c, solid, sizes);
-    planar::PairOptions options;
-    options.conforming = c.has_hole();
-    options.with_friction = c.contact.coupling;
-    options.radius = c.indenter.radius;
-    const bool line = solid == Solid::plane_strain;
-    options.length = line ? c.indenter.length : 1;
-    options.local_ratio =
-        line ? 1 : c.materials().effective_modulus() / c.materials().effective_shear_modulus();
-    options.is_whole_face = patch.is_whole_face;
-    options.first_presses = c.indenter.body.has_value();
-    const auto grid = [&] {
-        if (points == SectionPoints::elements) return planar::elements_of(bodies);
-        return c.adhesion ? planar::rings_on_nodes(bodies) : grid_between(bodies);
-    };
-    return pair_compliance(bodies, grid(), options);
+// Loads on both sides of the middle plane, p below and q above it, are equal ones of (p + q)/2 and
+// opposite ones of (p - q)/2, under which that plane slides along itself, and across itself with
+// its mean at rest: displacements below are those of C_s and C_a, (C_s + C_a)/2 of p and
+// (C_s - C_a)/2 of q.
+OpposedSections opposed_sections(const Case& c, const Case& upper, Solid solid,
+                                 const planar::Sizes& sizes) {
+    const planar::CondensedSection alike =
+        half_of(body_held(c, solid, sizes, planar::Support::sliding));
+    planar::CondensedSection opposite =
+        half_of(body_held(c, solid, sizes, planar::Support::opposite));
+    // Opposite loads have no resultant: what holds the body takes nothing of them.
+    std::ranges::fill(opposite.missing_reaction, 0.);
+    OpposedSections all{{alike, opposite}, {alike, opposite}, {alike, opposite}};
+    if (!c.has_rigid_substrate) all.lower.push_back(layer_of(c, solid, sizes));
+    if (!upper.has_rigid_substrate) all.upper.push_back(layer_of(upper, solid, sizes));
+    for (double& entry : all.across.back().compliance) entry = -entry;
+    return all;
 }
 
-double probed_radius(const Case& c, Solid solid) {
-    double room = probing_margin * contact::half_space_scales(c).contact_radius;
-    const bool sharp = c.indenter.shape == Case::Shape::flat_punch;
-    const double widest = sharp ? c.indenter.flat_radius : .99 * widest_patch(c);
-    for (int k = 0; k < most_probes; ++k, room *= room_growth) {
-        room = std::min(room, widest);
-        const auto compliance =
-            section_compliance(c, solid, section_patch(c, room, room / probing_elements));
-        const double radius = pressed_radius(c, *compliance);
-        if (radius == 0) {
-            if (room >= widest) refuse_too_large(c, room);
-            continue;
-        }
-        if (radius > room / 4) return radius;
-        room = 2 * radius / room_growth;
-    }
-    throw contact::NotConverged("the radius of the contact was not found on coarse elements");
-}
-
-void require_bodies(const Case& c, const ModelKind& kind) {
-    if (!c.has_rigid_substrate && !c.layer.thickness && !c.has_hole())
-        throw contact::InputError(std::string(kind.name) +
-                                  ": needs substrate.thickness, or substrate.rigid = true");
-    if (c.has_rigid_substrate && !c.indenter.body)
-        throw contact::InputError(std::string(kind.name) +
-                                  ": on a rigid substrate the indenter needs an indenter.body");
-}
-
-Solid solid_of(const ModelKind& kind) {
-    return kind.cut == ModelKind::Cut::plane_strain ? Solid::plane_strain : Solid::of_revolution;
-}
-
-double chosen_size(const Case& c, double radius) {
-    const auto& accuracy = c.of<Settings>().accuracy;
-    const int n = accuracy ? elements_for(*accuracy) : fewest_elements;
-    return radius / (c.adhesion ? std::max(n, fewest_attracted) : n);
+Case seen_from_above(const Case& c, double force) {
+    const auto& plate = *c.kept.find<contact::UpperPlate>();
+    Case upper = c;
+    upper.kept.reset<contact::UpperPlate>();
+    upper.has_rigid_substrate = plate.is_rigid;
+    upper.substrate = plate.is_rigid ? contact::rigid_material : plate.material;
+    upper.layer = {};
+    if (!plate.is_rigid) upper.layer.thickness = plate.thickness;
+    upper.prescribed_path.reset();
+    upper.load.indentation.reset();
+    upper.load.normal_force = force;
+    return upper;
 }
 
 }  // namespace tricontact::fem

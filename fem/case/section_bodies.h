@@ -1,47 +1,41 @@
 #pragma once
 
-#include <memory>
+#include <vector>
 
 #include "contact/case.h"
-#include "contact/models/model_kind.h"
-#include "fem/planar/pair.h"
-
-// The bodies of a case as sections, condensed to a patch of the surface where they touch.
+#include "fem/planar/body.h"
+#include "fem/planar/sections.h"
 
 namespace tricontact::fem {
 
+/// Where sections have small elements: to either side of their lowest point, or around it [m].
 struct SectionPatch {
-    double half_width, size;     ///< of the patch, of its elements [m]
+    double half_width, size;
     bool is_whole_face = false;  ///< ends where the indenter does
 };
 
 /// Of this half width, or all of a sharp punch's face if that is no more than a little wider.
 SectionPatch section_patch(const contact::Case& c, double half_width, double size);
-
 /// Most that a patch may have of the bodies [m].
 double widest_patch(const contact::Case& c);
+planar::Sizes sizes_of(const contact::Case& c, const SectionPatch& patch);
 
-/// Throws contact::InputError: the contact is more than this [m] to either side.
-[[noreturn]] void refuse_too_large(const contact::Case& c, double half_width);
+/// The bodies of a case that deform, the one that presses first.
+std::vector<planar::CondensedSection> bodies_of(const contact::Case& c, planar::Solid solid,
+                                                const planar::Sizes& sizes);
 
-/// Throws contact::InputError unless something deforms.
-void require_bodies(const contact::Case& c, const contact::ModelKind& kind);
+/// A body between two plates (contact::UpperPlate), whose pressures below and above displace both
+/// of its sides; displacements count from the mean of its middle plane. The bodies whose
+/// compliances add up: at either contact under its own pressures, and of the body alone at one side
+/// under those of the other.
+struct OpposedSections {
+    std::vector<planar::CondensedSection> lower, upper, across;
+};
+/// `upper`: see seen_from_above().
+OpposedSections opposed_sections(const contact::Case& c, const contact::Case& upper,
+                                 planar::Solid solid, const planar::Sizes& sizes);
 
-planar::Solid solid_of(const contact::ModelKind& kind);
-
-/// What tractions belong to: nodes, or linear functions where those of both bodies do not meet; or
-/// whole elements, on which they are constant.
-enum class SectionPoints { nodes, elements };
-
-/// Of all bodies that deform. Throws contact::InputError for what cannot be meshed.
-std::unique_ptr<planar::SectionCompliance> section_compliance(
-    const contact::Case& c, planar::Solid solid, const SectionPatch& patch,
-    SectionPoints points = SectionPoints::nodes);
-
-/// Half width or radius of the contact under the case's hardest load [m], on coarse elements.
-double probed_radius(const contact::Case& c, planar::Solid solid);
-
-/// Of elements, if the case does not give it, for a contact of this radius [m].
-double chosen_size(const contact::Case& c, double radius);
+/// The case with its upper plate as the substrate, pressed by this force [N].
+contact::Case seen_from_above(const contact::Case& c, double force);
 
 }  // namespace tricontact::fem

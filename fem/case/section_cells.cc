@@ -8,7 +8,7 @@
 
 #include "contact/base/error.h"
 #include "fem/case/row_response.h"
-#include "fem/case/section_bodies.h"
+#include "fem/case/section_compliance.h"
 #include "fem/settings.h"
 
 namespace tricontact::fem {
@@ -24,7 +24,7 @@ CellResponse section_cells(const contact::ModelKind& kind, const contact::Case& 
     require_bodies(c, kind);
     const planar::Solid solid = solid_of(kind);
     CellResponse response;
-    response.contact_radius = probed_radius(c, solid);
+    response.contact_radius = probed_section(c, solid).radius;
     const auto& given = c.of<Settings>().size;
     response.size = given ? *given : chosen_size(c, response.contact_radius);
     const double h = response.size, a = response.contact_radius;

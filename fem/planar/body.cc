@@ -168,13 +168,13 @@ CondensedSection condense(const BodyProblem& problem) {
     condensation.factorise();
     CondensedSection body;
     body.solid = problem.solid;
-    body.is_pinned = problem.support == Support::even || problem.support == Support::point;
+    body.is_pinned = is_loose(problem.support);
     body.along = surface.along;
     for (const int node : surface.nodes) body.x.push_back(problem.mesh.nodes[node][0]);
     body.edges = surface.edges;
     body.compliance = in_frames(problem, unknowns, surface, condensation.compliance());
     std::vector<double> load;
-    if (problem.support == Support::even) {
+    if (counts_from_mean(problem.support)) {
         load = even_load(problem, unknowns);
         press_evenly(problem, unknowns, surface, condensation, load, body.compliance);
     }

@@ -18,8 +18,20 @@ enum class Support {
     // What nothing holds but the contact:
     point,  ///< a force presses it at the node of the support nearest to x = 0, whose displacement
             ///< is part of the approach
-    even    ///< a pressure presses it all over its support, whose mean displacement is part of it
+    even,   ///< a pressure presses it all over its support, whose mean displacement is part of it
+    /// The same, not displaced along x there: the middle plane under loads that are opposite on
+    /// both sides of it. With `sliding`, under equal ones, all loads on both sides are known.
+    opposite
 };
+
+/// Nothing holds it along z but the contact.
+constexpr bool is_loose(Support support) {
+    return support == Support::point || support == Support::even || support == Support::opposite;
+}
+/// Its displacements count from the mean of its support.
+constexpr bool counts_from_mean(Support support) {
+    return support == Support::even || support == Support::opposite;
+}
 
 /// Along what a contact surface is measured, and across what bodies approach.
 enum class Frame {
@@ -53,7 +65,7 @@ struct CondensedSection {
     /// Force along z of what holds the body, plus the force, under unit forces on these components:
     /// zero but for rounding.
     std::vector<double> missing_reaction;
-    bool is_pinned = false;  ///< a node alone holds it, see Support::even and Support::point
+    bool is_pinned = false;                     ///< a node alone holds it along z, see is_loose()
     std::shared_ptr<const WholeSection> whole;  ///< for its inside
 
     std::size_t size() const { return along.size(); }

@@ -15,10 +15,6 @@ double coordinate(const BodyProblem& problem, const Point& x) {
     return problem.radius * std::atan2(x[0], problem.radius - x[1]);
 }
 
-bool is_loose(Support support) {
-    return support == Support::point || support == Support::even;
-}
-
 /// Node of this boundary that is nearest to x = 0; -1 without one.
 int middle_of(const Mesh& mesh, Boundary wanted) {
     int nearest = -1;
@@ -43,7 +39,8 @@ std::vector<std::array<bool, 2>> held_of(const BodyProblem& problem) {
         for (const int node : on_edge) {
             if (boundary == Boundary::symmetry) held[node][0] = true;
             if (boundary != Boundary::support) continue;
-            held[node][0] = held[node][0] || problem.support == Support::bonded;
+            held[node][0] = held[node][0] || problem.support == Support::bonded ||
+                            problem.support == Support::opposite;
             held[node][1] = held[node][1] || !is_loose(problem.support);
         }
     }

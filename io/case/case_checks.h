@@ -146,9 +146,12 @@ void resolve_height_map(contact::Case& c, const Document& document);
 void check_section(const contact::ModelKind& kind, const contact::Case& c,
                    const Document& document);
 
-/// The body of an indenter that deforms goes with its shape and support, a rigid substrate with
-/// what is said of it and with the models.
+/// The body of an indenter that deforms goes with its shape and support, a rigid substrate and an
+/// upper plate with what is said of them and with the models.
 void check_bodies(const contact::Case& c, const Document& document);
+
+/// [upper_plate]: the part of the case, before its keys are read.
+void make_upper_plate(contact::Case& c, const Document& document);
 
 /// A hole goes with a cylinder that fits into it, with models that know it, and with what is
 /// pressed without friction.

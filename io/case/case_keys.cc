@@ -152,9 +152,9 @@ const std::vector<CaseKey>& case_keys() {
     static const std::vector<CaseKey> keys = [] {
         std::vector<CaseKey> all;
         for (auto* const part :
-             {top_keys, indenter_keys, substrate_keys, relaxation_keys, heat_keys, contact_keys,
-              adhesion_keys, load_keys, rolling_keys, tractive_keys, path_keys, wear_keys,
-              model_keys, rig_stiffness_keys})
+             {top_keys, indenter_keys, substrate_keys, upper_plate_keys, relaxation_keys, heat_keys,
+              contact_keys, adhesion_keys, load_keys, rolling_keys, tractive_keys, path_keys,
+              wear_keys, model_keys, rig_stiffness_keys})
             std::ranges::move(part(), std::back_inserter(all));
         return all;
     }();

@@ -37,8 +37,9 @@ enum KeyGroup {
 };
 
 // Declarations by sections.
-std::vector<CaseKey> indenter_keys();    // and [indenter.roughness]
-std::vector<CaseKey> substrate_keys();   // and [lower_layer], [ground]
+std::vector<CaseKey> indenter_keys();   // and [indenter.roughness]
+std::vector<CaseKey> substrate_keys();  // and [lower_layer], [ground]
+std::vector<CaseKey> upper_plate_keys();
 std::vector<CaseKey> relaxation_keys();  // [substrate.relaxation]
 std::vector<CaseKey> contact_keys();     // [friction], [interface], [contact]
 std::vector<CaseKey> adhesion_keys();    // [adhesion]

@@ -35,6 +35,7 @@ void make_optional_parts(Case& c, const Document& document) {
     c.has_rigid_substrate = document.find("substrate.rigid");  // until it is read
     if (document.find("substrate.shape"))
         c.substrate_shape = Case::SubstrateShape::hole;  // as well
+    make_upper_plate(c, document);
     if (document.find_section("indenter.roughness")) c.indenter.roughness = contact::Roughness{};
     if (document.find_section("substrate.relaxation")) c.relaxation = contact::Relaxation{};
     if (document.find_section("friction.rate")) c.friction.rate = contact::FrictionRate{};
@@ -107,8 +108,10 @@ Case resolve(const Document& document) {
     for (const CaseKey& key : case_keys()) read_or_default(key, place_of(key, c), document, keys);
     if (c.has_rigid_substrate) c.substrate = contact::rigid_material;
     make_paths_absolute(c, document);
-    // In a hole there is friction if it is asked for, see check_hole().
-    if (c.has_hole() && !document.find("contact.coupling")) c.contact.coupling = false;
+    // There is friction if it is asked for, see check_hole(), check_bodies().
+    if ((c.has_hole() || document.find_section("upper_plate")) &&
+        !document.find("contact.coupling"))
+        c.contact.coupling = false;
     check_bodies(c, document);
     resolve_oscillation(c, document);
     resolve_path(c, document);

@@ -1,6 +1,8 @@
 #include "contact/bodies/body_forms.h"
 #include "contact/bodies/body_shapes.h"
+#include "contact/bodies/upper_plate.h"
 #include "io/case/case_checks.h"
+#include "io/results/output.h"
 
 namespace tricontact::io {
 
@@ -9,6 +11,7 @@ namespace {
 using contact::BodyForm;
 using contact::Case;
 using contact::ElasticBody;
+using contact::UpperPlate;
 
 template <class Words>
 std::string any_of(const Words& words) {
@@ -67,12 +70,65 @@ void check_rigid_substrate(const Case& c, const Document& document) {
                    "leave it out, or omit substrate.rigid");
 }
 
+void check_plate_alone(const UpperPlate& plate, const Document& document) {
+    for (const char* key : {"upper_plate.young", "upper_plate.poisson", "upper_plate.thickness"})
+        if (plate.is_rigid && document.find(key))
+            refuse(document, key, "a rigid plate has neither material nor thickness",
+                   "omit it, or omit upper_plate.rigid");
+}
+
+/// The key that [upper_plate] begins with.
+std::string first_key(const Document& document) {
+    return used(document, "upper_plate.rigid", "upper_plate.young");
+}
+
+void check_upper_plate(const Case& c, const Document& document) {
+    const UpperPlate* const plate = c.kept.find<UpperPlate>();
+    if (!plate) return;
+    const std::string key = first_key(document);
+    check_plate_alone(*plate, document);
+    if (!c.indenter.body || c.indenter.body->support != ElasticBody::Support::plates)
+        refuse(document, key, "no body of the case lies between two plates",
+               "omit [upper_plate], or take indenter.support = \"plates\"");
+    if (c.contact.coupling)
+        refuse(document, "contact.coupling",
+               "between unlike plates bodies are pressed without friction: what slips at one "
+               "plate would move the surface at the other",
+               "omit it, or omit [upper_plate]");
+    for (const std::string& model : c.models)
+        if (const auto& kind = contact::model_kind(model); kind.is_meshed() && !kind.is_section())
+            refuse(document, "models", model + " presses a body between plates that are alike",
+                   "take fem-axisymmetric or fem-plane, or omit [upper_plate]");
+    if (c.relaxation)
+        refuse(document, key, "unlike plates are elastic",
+               "omit [substrate.relaxation] or [upper_plate]");
+    if (c.interface.is_elastic())
+        refuse(document, key, "unlike plates have no springs of an interface",
+               "omit [interface] or [upper_plate]");
+    if (document.find_section("wear"))
+        refuse(document, key, "surfaces between unlike plates do not wear",
+               "omit [wear] or [upper_plate]");
+    if (c.of<Output>().volume != Output::Volume::none)
+        refuse(document, "output.volume", "the inside of a body between unlike plates is not shown",
+               "omit it, or omit [upper_plate]");
+    for (const char* section : {"record", "measurement", "design"})
+        if (document.find_section(section))
+            refuse(document, key, "experiments are about bodies on one substrate",
+                   "omit [upper_plate], or leave out the sections of experiments");
+}
+
 }  // namespace
+
+void make_upper_plate(Case& c, const Document& document) {
+    if (!document.find_section("upper_plate")) return;
+    c.of<UpperPlate>().is_rigid = document.find("upper_plate.rigid");  // until it is read
+}
 
 void check_bodies(const Case& c, const Document& document) {
     check_hole(c, document);
     check_punch(c, document);
     if (c.indenter.body) check_form(c, document);
+    check_upper_plate(c, document);
     if (c.has_rigid_substrate) check_rigid_substrate(c, document);
 }
 

@@ -152,6 +152,9 @@ void check_fem_body(const Case& c, const Document& document) {
         refuse(document, "fem.mesh",
                "the nodes of a mesh file do not match those of the indenter's body",
                "omit it, or give the indenter's mesh as indenter.mesh");
+    if (c.indenter.body->support == ElasticBody::Support::force)
+        refuse(document, "indenter.support", "fem presses a block by a holder or by a pressure",
+               "take one of these, or fem-plane for a concentrated force");
     check_motion(c, document);
     check_held_by_symmetry(c, document);
 }

@@ -240,6 +240,7 @@ RadiusBounds bounds_of_rigid_indenter(const Case& c) {
 // What a body's finite size does to the contact radius is at most some ten per cent as long as it
 // can be meshed.
 RadiusBounds contact_radius_bounds(const Case& c) {
+    if (c.indenter.is_long_punch()) return {c.indenter.flat_radius, c.indenter.flat_radius};
     const RadiusBounds a = bounds_of_rigid_indenter(c);
     if (!c.indenter.body) return a;
     constexpr double finite_body = 1.25;

@@ -60,9 +60,10 @@ void check_plate(const Case& c, const Document& document) {
                    "omit it, or omit substrate.shape");
     if (document.find("substrate.material") && c.law != Case::Law::linear)
         refuse(document, "substrate.material", "a plate about a hole is linear", "omit it");
-    if (document.find_section("substrate.relaxation"))
-        refuse(document, "substrate.shape", "a plate about a hole is elastic",
-               "omit [substrate.relaxation]");
+    if (document.find_section("substrate.relaxation") && c.contact.coupling)
+        refuse(document, "contact.coupling",
+               "bodies that relax are pressed in a hole without friction",
+               "omit it, or omit [substrate.relaxation]");
     for (const std::string& model : c.models)
         if (contact::model_kind(model).cut != contact::ModelKind::Cut::plane_strain)
             refuse(document, "models", model + " has a flat substrate, without a hole",
@@ -77,8 +78,12 @@ void check_pressed_alone(const Case& c, const Document& document) {
     if (c.tractive_rolling)
         refuse(document, "tractive_rolling.distance", rule, "leave [tractive_rolling] out");
     if (says_path(document) && !c.contact.coupling)
-        refuse(document, path_key(document), rule + ", without friction the same at any time",
-               "leave the path out, or set contact.coupling = true for one of normal forces");
+        refuse(document, path_key(document),
+               rule + (c.relaxation ? ", relaxing ones under one load"
+                                    : ", without friction the same at any time"),
+               c.relaxation
+                   ? "leave the path out"
+                   : "leave it out, or set contact.coupling = true for a path of normal forces");
     if (document.find_section("record") || document.find_section("measurement") ||
         document.find_section("design"))
         refuse(document, "substrate.shape", "experiments are about flat substrates",

@@ -14,7 +14,15 @@ constexpr double shortest_punch = 5;  // lengths of a punch along y over its fla
 void check_punch_models(const Case& c, const Document& document) {
     const bool is_long = c.indenter.is_long_punch();
     for (const std::string& model : c.models) {
-        const Cut cut = contact::model_kind(model).cut;
+        const contact::ModelKind& kind = contact::model_kind(model);
+        const Cut cut = kind.cut;
+        const bool is_solid = kind.is_meshed() && !kind.is_section();
+        const bool is_block = c.indenter.shape == Case::Shape::flat_punch && c.indenter.body;
+        if (is_long && is_solid && is_block) continue;
+        if (is_long && is_solid)
+            refuse(document, "models",
+                   model + " knows a punch along y as a body with sharp edges alone",
+                   "give shape = \"flat-punch\" and indenter.body = \"block\", or take fem-plane");
         if (is_long && cut != Cut::plane_strain)
             refuse(document, "models", model + " knows no punch along y",
                    "take fem-plane, or omit indenter.length: it is of revolution then");

@@ -1,3 +1,4 @@
+#include "contact/bodies/upper_plate.h"
 #include "io/case/case_input.h"
 #include "io/case/case_keys.h"
 
@@ -8,6 +9,7 @@ namespace {
 using contact::Case;
 using contact::Material;
 using contact::Relaxation;
+using contact::UpperPlate;
 using Layer = Case::Layer;
 using Lower = LayersInput::Lower;
 using Input = RelaxationInput;
@@ -24,6 +26,17 @@ Field of_series(Case& c) {
 template <double Material::*member>
 Field of_elastic_substrate(Case& c) {
     return c.has_rigid_substrate ? Field() : Field(&(c.substrate.*member));
+}
+
+Field rigid_plate(Case& c) {
+    const auto* const plate = c.kept.find<UpperPlate>();
+    return plate && plate->is_rigid ? Field(&c.of<UpperPlate>().is_rigid) : Field();
+}
+/// Of a plate that deforms.
+template <auto... members>
+Field of_plate(Case& c) {
+    const auto* const plate = c.kept.find<UpperPlate>();
+    return plate && !plate->is_rigid ? in(c.of<UpperPlate>(), members...) : Field();
 }
 
 }  // namespace
@@ -124,6 +137,22 @@ std::vector<CaseKey> substrate_keys() {
         {poisson_key("ground.poisson", "0.33", "Poisson's ratio; 0.5 is incompressible",
                      {.required = true}),
          at<&Case::layer, &Layer::ground, &Material::poisson>}};
+}
+
+std::vector<CaseKey> upper_plate_keys() {
+    return {
+        {boolean_key("upper_plate.rigid", "true",
+                     "the plate above a body between two plates is rigid, unlike the substrate"),
+         rigid_plate},
+        {modulus_key("upper_plate.young", R"("5.2 MPa")",
+                     "Young's modulus of that plate, a layer bonded to rigid ground; without "
+                     "[upper_plate] both plates are like the substrate",
+                     {.required = true}),
+         of_plate<&UpperPlate::material, &Material::young>},
+        {poisson_key("upper_plate.poisson", "0.3", "its Poisson's ratio", {.required = true}),
+         of_plate<&UpperPlate::material, &Material::poisson>},
+        {length_key("upper_plate.thickness", R"("8 mm")", "its thickness", {.required = true}),
+         of_plate<&UpperPlate::thickness>}};
 }
 
 std::vector<CaseKey> relaxation_keys() {

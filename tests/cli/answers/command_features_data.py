@@ -90,6 +90,7 @@ elastic = {"indenter.young": '"20 MPa"', "indenter.poisson": "0.5"}
 at_rest = {"rolling.*": None}
 pressed = {f"run {model}": {**at_rest, "load.tangential_ratio": "0.0"} for model in ("fem", "fem-axisymmetric")}
 hemisphere = {"indenter.body": '"hemisphere"', "indenter.support": '"holder"'}
+between_plates = {"indenter.young": '"20 MPa"', "indenter.poisson": "0.5", "indenter.body": '"ball"', "indenter.support": '"plates"', "contact.coupling": "false"}
 on_hub = {"indenter.body": '"cylinder"', "indenter.support": '"hub"', "indenter.hub_radius": '"10 mm"'}
 still = {"rolling.*": None, "tractive_rolling.*": None, "load.tangential_ratio": "0.0"}
 tacky = {"friction.coefficient": None, "adhesion.work": '"0.5 J/m2"'}
@@ -207,6 +208,9 @@ features = [
             {**elastic, "indenter.body": '"ball"', "indenter.support": '"plates"'},
             over_for={**pressed, "run fem-plane": on_hub, "cache condense": pressed["run fem"]},
             other_for={"run fem-plane": {"indenter.hub_radius": '"20 mm"'}}),
+    feature("unlike plates", "upper_plate.rigid upper_plate.young upper_plate.poisson upper_plate.thickness",
+            "upper_plate|indenter.body|contact.coupling|coupling|indenter.young|elastic indenter|rigid", between_plates, {**between_plates, "upper_plate.rigid": "true"},
+            over_for={**pressed, "run fem-plane": {**pressed["run fem"], "indenter.body": '"cylinder"'}, "cache condense": pressed["run fem"]}),
     feature("mesh of the indenter", "indenter.mesh indenter.mesh_unit",
             "indenter.mesh|indenter.young|elastic indenter|rigid",
             {**elastic, "indenter.mesh": '"body.msh"', "indenter.mesh_unit": '"1 mm"'},

@@ -197,7 +197,7 @@ TEST(FemSectionModel, PressesABallOnAHub) {
 
 /// Forces at once and after pauses of these lengths [s], at the depth of the case.
 std::vector<double> held_forces(const Case& c, const std::vector<double>& pauses) {
-    auto model = fem::make_section_model(of_revolution(), c, nullptr);
+    auto model = fem::make_section_model(contact::model_kind(c.models.front()), c, nullptr);
     contact::LoadStep step = contact::press_step(c);
     step.friction = false;
     step.duration = 0;
@@ -237,6 +237,57 @@ TEST(FemSectionModel, HemisphereThatRelaxesOnALayer) {
     const std::vector<double> found = held_forces(hemisphere(relaxing), {1, 1e4});
     const double first = held_forces(hemisphere(stiff), {})[0],
                  last = held_forces(hemisphere(on_layer), {})[0];
+    EXPECT_NEAR(found[0] / first, 1, 1e-5);
+    EXPECT_NEAR(found[2] / last, 1, 1e-5);
+    EXPECT_LT(found[1], .95 * first);
+    EXPECT_GT(found[1], 1.01 * last);
+}
+
+Case pin(const std::vector<std::string>& changes) {
+    return io::parse_case(R"(models = ["fem-plane"]
+[indenter]
+shape = "cylinder"
+radius = "10 mm"
+length = "20 mm"
+young = "2 MPa"
+poisson = 0.3
+body = "pin"
+support = "hub"
+hub_radius = "2 mm"
+[substrate]
+shape = "hole"
+hole_radius = "10.05 mm"
+[friction]
+coefficient = 0.5
+[load]
+indentation = "0.1 mm"
+tangential_ratio = 0
+[fem]
+size = "1.5 mm"
+)",
+                          "case.toml", changes);
+}
+
+// The same in a hole, whose contact closes around the pin: rigid, and of an elastic plate.
+TEST(FemSectionModel, PinThatRelaxesInAHole) {
+    const std::vector<std::string> rigid{"substrate.rigid=true"};
+    std::vector<std::string> relaxing = rigid;
+    relaxing.insert(relaxing.end(), indenter_relaxes.begin(), indenter_relaxes.end());
+    const double elastic = held_forces(pin(rigid), {})[0];
+    const std::vector<double> alone = held_forces(pin(relaxing), {.2, .3});
+    constexpr double ratio = .4 / .6;
+    EXPECT_NEAR(alone[0] / (elastic * (1 + ratio)), 1, 1e-9);
+    EXPECT_NEAR(alone[1] / (elastic * (1 + ratio * std::exp(-.4))), 1, 1e-9);
+    EXPECT_NEAR(alone[2] / (elastic * (1 + ratio * std::exp(-1))), 1, 1e-9);
+
+    const std::vector<std::string> plate{"substrate.young=\"4 MPa\"", "substrate.poisson=0.3",
+                                         "substrate.outer_radius=\"100 mm\""};
+    std::vector<std::string> stiff = plate;
+    stiff.push_back("indenter.young=\"3.3333333333333333 MPa\"");
+    relaxing = plate;
+    relaxing.insert(relaxing.end(), indenter_relaxes.begin(), indenter_relaxes.end());
+    const std::vector<double> found = held_forces(pin(relaxing), {1, 1e4});
+    const double first = held_forces(pin(stiff), {})[0], last = held_forces(pin(plate), {})[0];
     EXPECT_NEAR(found[0] / first, 1, 1e-5);
     EXPECT_NEAR(found[2] / last, 1, 1e-5);
     EXPECT_LT(found[1], .95 * first);

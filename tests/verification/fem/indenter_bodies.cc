@@ -129,5 +129,77 @@ TEST(FemIndenterBodies, CylinderOnAHubTakesATangentialLoad) {
     EXPECT_NEAR(loaded.stick_area / loaded.contact_area, std::sqrt(.5), .09);
 }
 
+Case block_case(ElasticBody::Support support) {
+    Case c = hemisphere_case(.3, 1e-5);
+    c.indenter.shape = Case::Shape::flat_punch;
+    c.indenter.radius = 0;
+    c.indenter.flat_radius = 1e-3;
+    c.indenter.length = .02;
+    c.indenter.body = ElasticBody{ElasticBody::Form::block, support};
+    c.indenter.body->height = 2e-3;
+    c.of<fem::Settings>().size = 1e-3 / 16;
+    return c;
+}
+
+std::unique_ptr<contact::Model> make_plane_model(const Case& c) {
+    return make_section_model(contact::model_kind(contact::models::fem_plane), c, nullptr);
+}
+
+// A slice of a block has the nodes of its section along x. Elements are graded by other rules:
+// 1e-3.
+TEST(FemIndenterBodies, ABlockIsThatOfItsSection) {
+    for (const auto support : {ElasticBody::Support::holder, ElasticBody::Support::pressure}) {
+        Case c = block_case(support);
+        c.has_rigid_substrate = false;
+        c.substrate = {2e6, .3};
+        c.layer.thickness = 1e-2;
+        const auto slice = make_layer_model(c), plane = make_plane_model(c);
+        const double force = press(*slice, c).normal_force;
+        EXPECT_NEAR(force / press(*plane, c).normal_force, 1, 1e-3);
+        EXPECT_TRUE(slice->audit().passed());
+        const contact::Surface a = slice->surface(), b = plane->surface();
+        const int n = a.n_x;
+        ASSERT_EQ(n, b.n_x);
+        const double mean = force / (2e-3 * c.indenter.length);
+        for (int i = 2; i < n - 2; ++i)
+            EXPECT_NEAR(a.normal_traction[i] / mean, b.normal_traction[i] / mean, 5e-3) << i;
+        // Dundurs and Lee (1972), equal materials: forces within r of the edge go with r^.774 (see
+        // complete_punches.cc). Of nodes, whose corners have half the area of those between.
+        const auto within = [&](int elements) {
+            const int first = n - 1 - 2 * elements;
+            double sum = a.normal_traction[first] / 6;
+            for (int i = first + 1; i < n; ++i)
+                sum += a.normal_traction[i] * (i % 2 ? 2. / 3 : i == n - 1 ? 1. / 6 : 1. / 3);
+            return sum;
+        };
+        EXPECT_NEAR(std::log(within(4) / within(2)) / std::log(2.), .774013, .03);
+    }
+}
+
+// All of it under one pressure: H p (1 - nu^2)/E.
+TEST(FemIndenterBodies, ABlockOnAPlaneIsCompressedEvenly) {
+    const Case c = block_case(ElasticBody::Support::pressure);
+    const auto model = make_layer_model(c);
+    const double force = press(*model, c).normal_force;
+    const double pressure = force / (2e-3 * c.indenter.length);
+    EXPECT_NEAR(pressure * 2e-3 * .91 / 2e6 / 1e-5, 1, 1e-6);
+    for (const double p : model->surface().normal_traction) EXPECT_NEAR(p / pressure, 1, 1e-5);
+}
+
+TEST(FemIndenterBodies, ABlockTakesATangentialLoad) {
+    Case c = block_case(ElasticBody::Support::holder);
+    c.has_rigid_substrate = false;
+    c.substrate = {4e6, .4};
+    c.layer.thickness = 1e-2;
+    c.of<fem::Settings>().size = 1e-3 / 12;
+    c.load.tangential_force.reset();
+    c.load.tangential_ratio = .5;
+    const auto slice = make_layer_model(c), plane = make_plane_model(c);
+    const double shift = contact::run(c, *slice).static_shift;
+    EXPECT_GT(shift, 0);
+    EXPECT_NEAR(shift / contact::run(c, *plane).static_shift, 1, 3e-3);
+    EXPECT_TRUE(slice->audit().passed());
+}
+
 }  // namespace
 }  // namespace tricontact::fem::indenter_bodies_test

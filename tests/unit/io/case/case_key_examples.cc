@@ -54,6 +54,8 @@ std::string case_of(std::string_view path) {
         {"indenter.hub_radius", "cylinder_on_hub"},
         {"indenter.height", "body_rounded_punch"},
         {"substrate.rigid", "hemisphere"},
+        {"upper_plate.rigid", "ball_between_unlike_plates"},
+        {"upper_plate", "hemisphere"},
         {"substrate.shape", "pin_in_hole"},
         {"substrate.hole_radius", "pin_in_hole"},
         {"substrate.outer_radius", "pin_in_hole"},
@@ -105,6 +107,14 @@ TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
                      {R"(indenter.young="2 MPa")", "indenter.poisson=0.5", R"(models=["bem"])",
                       R"(indenter.body="punch")", R"(indenter.support="holder")"})
                     overrides.emplace_back(one);
+            if (key.section() == "upper_plate" && key.path != "upper_plate.rigid")
+                for (const char* one :
+                     {R"(models=["fem-axisymmetric"])", R"(indenter.young="2 MPa")",
+                      "indenter.poisson=0.3", R"(indenter.body="ball")",
+                      R"(indenter.support="plates")", R"(upper_plate.young="5.2 MPa")",
+                      "upper_plate.poisson=0.3", R"(upper_plate.thickness="8 mm")",
+                      "load.tangential_ratio=0"})
+                    if (!std::string_view(one).starts_with(key.path)) overrides.emplace_back(one);
             if (key.path == "interface.hardening") {
                 overrides.emplace_back(R"(interface.yield_stress="2 MPa")");
                 overrides.emplace_back(R"(models=["bem"])");

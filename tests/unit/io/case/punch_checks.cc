@@ -83,6 +83,16 @@ TEST(PunchChecks, ModelsKnowThePunch) {
     EXPECT_THROW(parse_case(of_revolution(), "case.toml"), contact::InputError);
 }
 
+TEST(PunchChecks, FemKnowsABlockAlongY) {
+    EXPECT_NO_THROW(parse_case(block, "case.toml", {"models=[\"fem\"]"}));
+    EXPECT_EQ(message_of({"models=[\"fem\"]", "indenter.support=force"}),
+              "indenter.support = \"force\": fem presses a block by a holder or by a pressure; "
+              "take one of these, or fem-plane for a concentrated force");
+    EXPECT_EQ(message_of({"models=[\"fem\"]", "fem.size=4 mm"}),
+              "fem.size = \"4 mm\": fewer than 2 elements in the contact radius of at most 0.005 "
+              "m: too coarse; use a size of at most 0.000625 m, or fem.accuracy");
+}
+
 TEST(PunchChecks, IsPressedAlone) {
     EXPECT_EQ(message_of({"load.tangential_ratio=0.2"}),
               "load.tangential_ratio = 0.2: nothing holds a body that pressure presses against a "
