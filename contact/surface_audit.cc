@@ -176,12 +176,12 @@ void SurfaceModel::audit_attracted(const LoadStep& step) {
                       std::abs(force - step.normal.value) / (std::abs(step.normal.value) + pull),
                       exact_force);
     const auto missing =
-        substrate_->compliance().missing_reaction(s.pressure, TangentialField(area.size()));
+        substrate_->compliance().missing_reaction(s.pressure, now().tangential.traction);
     if (missing && pull > 0)
-        audit_.record(
-            "base_reaction",
-            std::hypot((*missing)[0], (*missing)[1], (*missing)[2]) / (pull + std::abs(force)),
-            substrate_->compliance().allowed_missing_reaction());
+        audit_.record("base_reaction",
+                      std::hypot((*missing)[0], (*missing)[1], (*missing)[2]) /
+                          (pull + std::abs(force) + now().total_bound),
+                      substrate_->compliance().allowed_missing_reaction());
 }
 
 void SurfaceModel::audit_step(const LoadStep& step, bool advected) {

@@ -22,12 +22,6 @@ void check_adhesive_model(const std::string& model, const Case& c, const Documen
         refuse(document, used(document, "adhesion.range", "adhesion.peak_stress"),
                "the springs of " + model + " let go at the edge alone, the range is 0 there",
                "leave out " + model + ", or omit the range");
-    if (kind.is_meshed() && !c.is_pressed_only())
-        refuse(
-            document, key, "friction under tension, and rolling, are computed by springs and cells",
-            "take mdr, mdr-layer, bem or bem-layer, set load.tangential_ratio = 0 and omit rolling "
-            "and shifts, or " +
-                omit_adhesion);
     if (!kind.is_on_line() && !c.adhesion->is_reversible())
         refuse(document, "adhesion.approach_work",
                model + " knows one work of adhesion for approach and separation",
