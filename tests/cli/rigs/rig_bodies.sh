@@ -86,8 +86,8 @@ END
     "$program" rig soft.toml -o soft >soft.txt 2>&1 || complain "a soft ball: $(cat soft.txt)"
     grep -A 1 '^violated: The indenter is as large as a half-space' soft.txt | grep -q '|d half-space/d body - 1| = 0.068' ||
         complain "the indenter's body: $(grep -A 3 'as large as' soft.txt)"
-    grep -A 5 'surfaces do not attract' soft.txt | grep -q 'On the layer adhesion widens the contact by' ||
-        complain "adhesion of a soft ball: $(grep -A 5 'not attract' soft.txt)"
+    grep -A 9 'surfaces do not attract' soft.txt | grep -q 'On the layer adhesion widens the contact by' ||
+        complain "adhesion of a soft ball: $(grep -A 9 'not attract' soft.txt)"
     ! grep -q 'leaves out indenter.body' soft.txt || complain "said to be left out"
     sed 's/, body = "hemisphere", support = "holder"//' soft.toml >silent.toml
     "$program" rig silent.toml -o silent >silent.txt 2>&1 || complain "without a body: $(cat silent.txt)"
