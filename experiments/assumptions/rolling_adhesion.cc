@@ -170,7 +170,8 @@ Assumption no_adhesion(const Rig& rig) {
         quantity(a.deciding_value() * rig.F_N, "N", 2));
     if (!rig.b.is_known()) return a;
     if (!is_short_ranged) {
-        a.consequence += " On the layer it is not computed: springs know attraction of no range.";
+        a.consequence +=
+            " On the layer it is not computed: its springs know attraction of no range.";
         return a;
     }
     if (!roller_is_rigid(rig)) {
