@@ -7,6 +7,7 @@
 
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
+#include "contact/compliances/radial_points.h"
 #include "contact/solvers/fixed_point.h"
 
 // p = q - s: q >= 0 where the surfaces touch, s = sigma(g) >= 0 all over. For a given s the contact
@@ -109,6 +110,7 @@ AdhesiveNormal::AdhesiveNormal(std::string name, const Compliance& compliance,
       widths_(compliance.points()),
       exact_(compliance, .1 * tolerance) {
     if (ContactShare::is_known(compliance.points())) share_.emplace(compliance.points());
+    if (are_radii(compliance.points())) rings_.emplace(compliance.points());
 }
 
 /// Presses under the present tension.
@@ -158,10 +160,12 @@ void AdhesiveNormal::update_tension(Iterate& now) const {
     const std::size_t n = now.gap.size();
     now.next.resize(n);
     std::vector<double> change(n), displaced(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        now.next[i] = attraction_.tension(now.gap[i], now.width[i]);
-        change[i] = now.next[i] - now.tension[i];
-    }
+    if (rings_)
+        rings_->tensions(attraction_, now.gap, now.next);
+    else
+        for (std::size_t i = 0; i < n; ++i)
+            now.next[i] = attraction_.tension(now.gap[i], now.width[i]);
+    for (std::size_t i = 0; i < n; ++i) change[i] = now.next[i] - now.tension[i];
     compliance_.normal(change, displaced);
     double worst = 0;
     for (const double u : displaced) worst = larger(worst, std::abs(u));
@@ -188,7 +192,8 @@ NormalSolution AdhesiveNormal::settle(const std::vector<double>& height,
         now.touch.force = 0;
     }
     Way way;
-    bool widths_stay = attraction_.decays || attraction_.is_short_ranged;
+    const bool needs_widths = !(rings_ || attraction_.decays || attraction_.is_short_ranged);
+    bool widths_stay = !needs_widths;
     int iterations = 0;
     for (int k = 0; k < max_tensions; ++k) {
         compliance_.normal(now.tension, now.lowered);
@@ -202,7 +207,7 @@ NormalSolution AdhesiveNormal::settle(const std::vector<double>& height,
             now.touch.iterations = iterations;
             return finish(std::move(now));
         }
-        if (!attraction_.decays && !attraction_.is_short_ranged) {
+        if (needs_widths) {
             if (now.residual < widths_settled || k > most_varied) widths_stay = true;
             if (now.residual > 10 * widths_settled && k <= most_varied) widths_stay = false;
         }
@@ -223,7 +228,8 @@ NormalSolution AdhesiveNormal::finish(Iterate now) const {
     s.share = share_ ? share_->of(s.pressure, now.gap) : std::vector<double>(n);
     s.residual = std::max(s.residual, now.residual);
     s.length = std::max(s.length, attraction_.distance);
-    s.force = s.energy = s.pull = 0;
+    s.force = s.pull = 0;
+    s.energy = rings_ ? rings_->energy(attraction_, now.gap) : 0;
     for (std::size_t i = 0; i < n; ++i) {
         if (!share_) s.share[i] = s.pressure[i] > 0;
         if (attraction_.is_short_ranged)
@@ -232,8 +238,8 @@ NormalSolution AdhesiveNormal::finish(Iterate now) const {
         s.displacement[i] -= now.lowered[i];
         s.force += area[i] * s.pressure[i];
         s.pull += area[i] * now.tension[i];
-        s.energy += area[i] * (s.pressure[i] * s.displacement[i] / 2 +
-                               attraction_.energy(now.gap[i], now.width[i]));
+        s.energy += area[i] * s.pressure[i] * s.displacement[i] / 2;
+        if (!rings_) s.energy += area[i] * attraction_.energy(now.gap[i], now.width[i]);
     }
     s.tension = std::move(now.tension);
     return s;

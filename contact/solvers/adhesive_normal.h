@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/attraction/attraction.h"
+#include "contact/attraction/ring_tension.h"
 #include "contact/solvers/contact_share.h"
 #include "contact/solvers/normal_solver.h"
 
@@ -54,6 +55,7 @@ class AdhesiveNormal {
     Attraction attraction_;
     double tolerance_;
     GapWidths widths_;
+    std::optional<RingTension> rings_;  // of a contact of revolution, in place of widths
     std::optional<ContactShare> share_;
     NormalSolver exact_;
 };
