@@ -41,12 +41,6 @@ constexpr double roughest_press = 1e-3, of_residual = .05;
 /// (t/rho)^3)^2 that is this part of int s dt/s_0 (Barenblatt 1962, Adv. Appl. Mech. 7, 55).
 constexpr double to_the_tip = .7;
 
-/// What is set free in a step, over w and the area that attracts, from which on it is looked at
-/// closer: whether halves of the step show it to be the error of an integral, or it is bisected,
-/// for an integral by trapezoids knows where a jump was to the step that it is in.
-constexpr double is_seen = 3e-4, like_a_rule = .1;
-constexpr int most_bisections = 9;
-
 }  // namespace
 
 struct AdhesiveNormal::Iterate {
@@ -251,54 +245,6 @@ std::vector<double> AdhesiveNormal::separation_work(const std::vector<double>& g
     for (std::size_t i = 0; i < gap.size(); ++i)
         work[i] = attraction_.work() + attraction_.energy(gap[i], work[i]);
     return work;
-}
-
-double AdhesiveNormal::attracted_area(const NormalSolution& s) const {
-    const auto& area = compliance_.points().area;
-    double sum = 0;
-    for (std::size_t i = 0; i < area.size(); ++i)
-        sum += area[i] * s.tension[i] / attraction_.strength;
-    return sum;
-}
-
-/// What is set free on the way, by the trapezoidal rule: work less what is stored.
-double AdhesiveNormal::freed(const NormalSolution& before, const NormalSolution& after) const {
-    const double work =
-        .5 * (before.force + after.force) * (after.indentation - before.indentation);
-    return work - (after.energy - before.energy);
-}
-
-NormalSolution AdhesiveNormal::resolve(const std::vector<double>& height, const NormalControl& from,
-                                       const NormalControl& to, const NormalSolution& before,
-                                       NormalSolution after, int depth) const {
-    after.released = freed(before, after);
-    const double unit =
-        attraction_.work() * std::max(attracted_area(before), attracted_area(after));
-    if (depth == most_bisections || !(std::abs(after.released) > is_seen * unit)) return after;
-    NormalControl half = to;
-    half.value = (from.value + to.value) / 2;
-    NormalSolution between = settle(height, half, before);
-    after.iterations += between.iterations;
-    // Of a smooth change the rule's error is a quarter of that of the whole step.
-    const double halves = freed(before, between) + freed(between, after);
-    if (std::abs(halves - after.released / 4) <= like_a_rule * std::abs(after.released)) {
-        after.released = (4 * halves - after.released) / 3;
-        return after;
-    }
-    const NormalSolution first = resolve(height, from, half, before, std::move(between), depth + 1);
-    NormalSolution last = resolve(height, half, to, first, settle(height, to, first), depth + 1);
-    last.released += first.released;
-    last.iterations += first.iterations;
-    return last;
-}
-
-NormalSolution AdhesiveNormal::follow(const std::vector<double>& height,
-                                      const NormalControl& control,
-                                      const NormalSolution& before) const {
-    if (!before.attracts()) return settle(height, control, before);
-    const bool by_force = control.kind == NormalControl::Kind::force;
-    return resolve(height, {control.kind, by_force ? before.force : before.indentation}, control,
-                   before, settle(height, control, before), 0);
 }
 
 bool AdhesiveNormal::has_other_state(const std::vector<double>& height,

@@ -44,6 +44,9 @@ class AdhesiveNormal {
                Iterate& now) const;
     void update_tension(Iterate& now) const;
     NormalSolution finish(Iterate now) const;
+    std::optional<NormalSolution> settled(const std::vector<double>& height,
+                                          const NormalControl& control,
+                                          const NormalSolution& before) const;
     double freed(const NormalSolution& before, const NormalSolution& after) const;
     NormalSolution resolve(const std::vector<double>& height, const NormalControl& from,
                            const NormalControl& to, const NormalSolution& before,
