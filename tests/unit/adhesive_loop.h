@@ -30,14 +30,18 @@ inline LoopEnergy energy_of_loop(contact::Model& model, const AdhesiveBall& ball
         force_at(depth);
     };
     LoopEnergy energy{};
+    const double length = (high - low) / steps;
+    double in = low, off = low;  // ends of the steps that jump
     restart(low);
     for (int k = 1; k <= 2 * steps; ++k) {
-        const double part = static_cast<double>(k <= steps ? k : 2 * steps - k) / steps;
-        energy.lost += ball.press(model, low + (high - low) * part).released_energy;
+        const double depth = low + length * (k <= steps ? k : 2 * steps - k),
+                     lost = ball.press(model, depth).released_energy;
+        if (lost > 0) (k <= steps ? in : off) = depth;
+        energy.lost += lost;
     }
     const auto place = [&](double start, double apart, double together) {
         constexpr double holds = -.15;
-        for (int k = 0; k < 14; ++k) {
+        for (int k = 0; k < 10; ++k) {
             const double middle = (apart + together) / 2;
             restart(start);
             bool is_held = false;
@@ -50,8 +54,7 @@ inline LoopEnergy energy_of_loop(contact::Model& model, const AdhesiveBall& ball
         return std::array{apart, together};
     };
     // From either end up to its jump.
-    const auto integral = [&](double start, double from, double jump) {
-        constexpr int n = 32;
+    const auto integral = [&](double start, double from, double jump, int n) {
         restart(start);
         double sum = 0;
         for (int k = 0; k < n; ++k) {
@@ -62,8 +65,9 @@ inline LoopEnergy energy_of_loop(contact::Model& model, const AdhesiveBall& ball
         }
         return (from - jump) * sum / (3 * n);
     };
-    const auto in = place(low, low, .1), off = place(high, low, 0);
-    const double held = integral(high, in[1], off[1]), apart = integral(low, low, in[0]);
+    const auto first = place(low, in - length, in), last = place(high, off, off + length);
+    const double held = integral(high, first[1], last[1], 24),
+                 apart = integral(low, low, first[0], 16);
     energy.work = (-held - apart) * ball.force() * ball.depth();
     return energy;
 }

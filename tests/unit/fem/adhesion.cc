@@ -96,7 +96,7 @@ TEST_F(FemAdhesion, LosesNothingBetweenTheJumps) {
 // What the steps of a run lose in its jumps is what the force works around the loop; on a layer
 // thick enough to jump on coarse elements.
 TEST(FemAdhesiveLoop, LosesItsWorkInJumps) {
-    const AdhesiveBall ball = on_layer(4, 4);
+    const AdhesiveBall ball = on_layer(6, 3);
     const auto model = fem::make_model(ball.c, {});
     const auto [lost, work] = test::energy_of_loop(*model, ball, -2, 1);
     EXPECT_GT(lost, .05 * ball.force() * ball.depth());
