@@ -23,7 +23,7 @@ using std::numbers::pi;
 constexpr double least_radius = .02;  // over that of first touch
 constexpr double node_ratio = 1.015;  // of neighbouring radii
 constexpr double same_place = 1e-12;  // relative
-constexpr int most_halvings = 30;     // of the least place, until both controls fall there
+constexpr int most_halvings = 12;     // of the least place, until both controls fall there
 
 double value_of(const State& s, NormalControl::Kind kind) {
     return kind == NormalControl::Kind::force ? s.force : s.indentation;
@@ -78,6 +78,7 @@ void AdhesiveCurve::start(double guess) {
     double first = least_radius * std::min(touching, largest_);
     for (int k = 0; k < most_halvings && at(first).indentation >= -range_; ++k) first /= 2;
     nodes_.push_back(at(first));
+    begins_stable_ = range_ > 0 && nodes_.front().indentation >= -range_;
 }
 
 AdhesiveCurve::State AdhesiveCurve::held(double radius, const NormalControl& control) const {
@@ -144,11 +145,18 @@ AdhesiveCurve::State AdhesiveCurve::limit_point(double first, double last, Kind 
     return direction * (value_of(one, kind) - value_of(other, kind)) > 0 ? one : other;
 }
 
-/// Out of contact the bodies meet at d = 0, where F = 0; with a range as far apart as that.
+/// Out of contact the bodies meet at d = 0, where F = 0; with a range as far apart as that. Steep
+/// tips are attracted bit by bit, without a jump.
 void AdhesiveCurve::touch(Walk& walk) {
     const Kind kind = walk.control.kind;
     const double level = meets_at(kind);
     walk.motion.state = {};
+    if (begins_stable_ && kind == Kind::indentation) {
+        const State& first = node(0);
+        walk.arrived = walk.control.value <= first.indentation;
+        walk.motion.state = walk.arrived ? State{.indentation = walk.control.value} : first;
+        return;
+    }
     int k = 1;
     while (value_of(node(k), kind) < level) ++k;
     const State to = crossing(node(k - 1), node(k), kind, level);
@@ -165,8 +173,10 @@ void AdhesiveCurve::lose(Walk& walk) const {
             "N at most: pull less, or prescribe the indentation, which follows the contact to its "
             "end",
             walk.control.value, -walk.motion.state.force));
-    walk.motion.released += stored(walk.motion.state);
-    ++walk.motion.jumps;
+    if (!begins_stable_) {
+        walk.motion.released += stored(walk.motion.state);
+        ++walk.motion.jumps;
+    }
     walk.motion.state = {.indentation = walk.control.value};
     walk.arrived = true;
 }
@@ -258,20 +268,32 @@ int AdhesiveCurve::stable_states(const NormalControl& control) {
     return n;
 }
 
+/// The state of least control that still touches: where the branch turns back, or the touch ends.
+AdhesiveCurve::State AdhesiveCurve::least_in_touch(Kind kind) {
+    std::size_t first = 0;
+    while (!nodes_[first].touches()) ++first;
+    std::size_t lowest = first;
+    for (std::size_t k = first; k < nodes_.size(); ++k)
+        if (value_of(nodes_[k], kind) < value_of(nodes_[lowest], kind)) lowest = k;
+    if (lowest == 0) return nodes_.front();
+    const State before = nodes_[lowest - 1], after = node(static_cast<int>(lowest) + 1);
+    if (before.touches()) return limit_point(before.place, after.place, kind, -1);
+    double apart = before.place, touching = nodes_[lowest].place;
+    for (int k = 0; k < contact::root_bits; ++k) {
+        const double middle = (apart + touching) / 2;
+        (at(middle).touches() ? touching : apart) = middle;
+    }
+    const State meeting = at(touching), limit = limit_point(touching, after.place, kind, -1);
+    return value_of(limit, kind) < value_of(meeting, kind) ? limit : meeting;
+}
+
 contact::PullOff AdhesiveCurve::pull_off() {
     if (!reaches({Kind::indentation, 0})) extend();  // throws
-    const auto least = [&](Kind kind) {
-        int lowest = 0;
-        for (int k = 1; k < static_cast<int>(nodes_.size()); ++k)
-            if (value_of(nodes_[k], kind) < value_of(nodes_[lowest], kind)) lowest = k;
-        if (lowest == 0) return nodes_.front();
-        return limit_point(nodes_[lowest - 1].place, node(lowest + 1).place, kind, -1);
-    };
-    const State pulled = least(Kind::force);
+    const State pulled = least_in_touch(Kind::force);
     return {.force = -pulled.force,
             .radius = pulled.radius,
             .indentation = pulled.indentation,
-            .last_indentation = least(Kind::indentation).indentation};
+            .last_indentation = least_in_touch(Kind::indentation).indentation};
 }
 
 AdhesiveCurve::Family half_space_contacts(const contact::AxisymmetricIndenter& body,

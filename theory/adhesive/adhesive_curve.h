@@ -95,6 +95,7 @@ class AdhesiveCurve {
     const State& node(int k);
     State crossing(const State& below, const State& above, Kind kind, double level) const;
     State limit_point(double first, double last, Kind kind, int direction) const;
+    State least_in_touch(Kind kind);
     void touch(Walk& walk);
     void go(Walk& walk, int direction);
     void jump_from(Walk& walk, const State& limit, int next, int direction);
@@ -104,7 +105,8 @@ class AdhesiveCurve {
     Branch branch_;
     double modulus_, work_, largest_;
     double range_ = 0;
-    std::vector<State> nodes_;  // at places that grow by a constant factor
+    bool begins_stable_ = false;  // the depth grows from the first place on
+    std::vector<State> nodes_;    // at places that grow by a constant factor
 };
 
 /// Contacts of a body of revolution, which shall outlive them, on an elastic half-space of the

@@ -122,7 +122,18 @@ TEST(AdhesiveRange, OfAConeComesToNoRange) {
     double last = 1;
     for (const double strength : {2., 8.}) {
         ball.c.adhesion->peak_stress = strength * modulus * t;
-        const double error = mdr::make_model(ball.c)->pull_off()->force / exact - 1;
+        const auto model = mdr::make_model(ball.c);
+        // A tip as steep as this is attracted without a jump.
+        const double range = ball.c.adhesion->distance() / ball.depth();
+        EXPECT_LT(ball.press(*model, -.5 * range).normal_force, 0);
+        EXPECT_GT(ball.press(*model, ball.c.load.indentation.value() / ball.depth()).normal_force,
+                  0);
+        const double off = model->pull_off()->last_indentation / ball.depth();
+        EXPECT_GT(ball.press(*model, off + 1e-3 * range).contact_area, 0);
+        EXPECT_EQ(ball.press(*model, off - 1e-3 * range).contact_area, 0);
+        EXPECT_EQ(ball.press(*model, off - 1.01 * range).normal_force, 0);
+        EXPECT_TRUE(model->audit().passed());
+        const double error = model->pull_off()->force / exact - 1;
         EXPECT_LT(std::abs(error), .5 * last);
         last = std::abs(error);
     }
