@@ -15,6 +15,8 @@ namespace tricontact::contact {
 namespace {
 
 constexpr double product_rounding = 1e-13;
+/// Of surfaces that attract each other: of the integral of the force on the way.
+constexpr double exact_work = 1e-3;
 
 struct NormalExtremes {
     double peak = 0, least = 0, force = 0;
@@ -168,6 +170,7 @@ void SurfaceModel::audit_attracted(const LoadStep& step) {
         force += area[i] * s.pressure[i];
     }
     audit_.record("traction_follows_separation", s.residual, std::max(tolerance_, s.rounding));
+    audit_.record("energy_balance", std::abs(s.unbalanced), exact_work);
     audit_.record("tension_at_most_sigma_0",
                   std::max(0., most / solver_->adhesive()->attraction().strength - 1),
                   rounding_allowed);
@@ -176,12 +179,12 @@ void SurfaceModel::audit_attracted(const LoadStep& step) {
                       std::abs(force - step.normal.value) / (std::abs(step.normal.value) + pull),
                       exact_force);
     const auto missing =
-        substrate_->compliance().missing_reaction(s.pressure, TangentialField(area.size()));
+        substrate_->compliance().missing_reaction(s.pressure, now().tangential.traction);
     if (missing && pull > 0)
-        audit_.record(
-            "base_reaction",
-            std::hypot((*missing)[0], (*missing)[1], (*missing)[2]) / (pull + std::abs(force)),
-            substrate_->compliance().allowed_missing_reaction());
+        audit_.record("base_reaction",
+                      std::hypot((*missing)[0], (*missing)[1], (*missing)[2]) /
+                          (pull + std::abs(force) + now().total_bound),
+                      substrate_->compliance().allowed_missing_reaction());
 }
 
 void SurfaceModel::audit_step(const LoadStep& step, bool advected) {

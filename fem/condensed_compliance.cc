@@ -29,9 +29,15 @@ CondensedCompliance::CondensedCompliance(std::shared_ptr<const LayerProblem> pro
                           std::move(layer)) {}
 
 CondensedCompliance::CondensedCompliance(std::shared_ptr<const LayerProblem> problem,
-                                         ContactSide side, CondensedLayer&& layer)
+                                         CondensedLayer on_grid, PressureTransfer transfer)
+    : CondensedCompliance(problem, side_of(*problem, on_grid, {}, false), std::move(on_grid),
+                          std::move(transfer)) {}
+
+CondensedCompliance::CondensedCompliance(std::shared_ptr<const LayerProblem> problem,
+                                         ContactSide side, CondensedLayer&& layer,
+                                         std::optional<PressureTransfer> transfer)
     : DenseCompliance(std::move(side.points), std::move(side.compliance)),
-      body_(std::move(problem), std::move(layer.missing_reaction)),
+      body_(std::move(problem), std::move(layer.missing_reaction), 0, std::move(transfer)),
       mass_(std::move(layer.contact_mass)) {}
 
 CondensedCompliance::~CondensedCompliance() = default;

@@ -20,6 +20,9 @@ class CondensedCompliance final : public DenseCompliance {
     /// `interface`: springs of each point, with its area. `by_element_means`: see joined().
     CondensedCompliance(std::shared_ptr<const LayerProblem> problem, CondensedLayer layer,
                         const contact::Interface& interface = {}, bool by_element_means = false);
+    /// Of a layer that is on_grid().
+    CondensedCompliance(std::shared_ptr<const LayerProblem> problem, CondensedLayer on_grid,
+                        PressureTransfer transfer);
     ~CondensedCompliance() override;
 
     std::vector<double> consistent_traction(std::span<const double> t,
@@ -44,7 +47,7 @@ class CondensedCompliance final : public DenseCompliance {
 
   private:
     CondensedCompliance(std::shared_ptr<const LayerProblem> problem, ContactSide side,
-                        CondensedLayer&& layer);
+                        CondensedLayer&& layer, std::optional<PressureTransfer> transfer = {});
 
     CondensedBody body_;
     ConsistentMass mass_;

@@ -10,6 +10,7 @@
 #include "contact/base/state_bytes.h"
 #include "contact/models/model_kind.h"
 #include "mdr/settings.h"
+#include "theory/adhesive/dugdale_contacts.h"
 
 namespace tricontact::mdr {
 
@@ -60,6 +61,16 @@ Parts parts_of(const std::string& model, const Case& c, double range) {
         parts.springs = std::make_unique<FreeDiscSprings>(
             parts.profile, c.materials().effective_modulus(), settings.springs);
     const double modulus = parts.springs->modulus(), work = c.adhesion->work;
+    if (!c.adhesion->is_short_ranged()) {
+        const double guess = radius_of_touch(*parts.profile, modulus, work);
+        parts.curve.emplace(theory::AdhesiveCurve(
+            theory::dugdale_contacts(
+                [springs = parts.springs.get()](double a) { return springs->at(a); },
+                [profile = parts.profile](double x) { return profile->value(x); }, modulus,
+                {c.adhesion->strength(), c.adhesion->distance()}),
+            modulus, work, c.adhesion->distance(), guess, parts.profile->range()));
+        return parts;
+    }
     parts.curve.emplace([springs = parts.springs.get()](double a) { return springs->at(a); },
                         modulus, work, c.adhesion->approach_work.value_or(work),
                         radius_of_touch(*parts.profile, modulus, work), parts.profile->range());
@@ -117,8 +128,10 @@ contact::StepRecord AdhesiveModel::advance(const LoadStep& step) {
     // the edge stays in its place, it may do so in another.
     const double last = step.normal.kind == NormalControl::Kind::force ? -pull_off_.force
                                                                        : pull_off_.last_indentation;
-    r.may_differ = (step.normal.value < 0 && step.normal.value > last) ||
-                   (!parts_.curve->is_reversible() && state_.touches());
+    const bool has_range = state_.reach > state_.radius;
+    r.may_differ = has_range ? parts_.curve->stable_states(step.normal) > 1
+                             : (step.normal.value < 0 && step.normal.value > last) ||
+                                   (!parts_.curve->is_reversible() && state_.touches());
     r.contact_area = r.stick_area = pi * state_.radius * state_.radius;
     const double half_length = row_.spacing * n_points_ / 2;
     r.open_area = std::max(0., pi * half_length * half_length - r.contact_area);
@@ -132,9 +145,7 @@ contact::StepRecord AdhesiveModel::advance(const LoadStep& step) {
 
 void AdhesiveModel::audit_step(const AdhesiveCurve::Motion& motion,
                                const AdhesiveCurve::State& before) {
-    const auto size = [&](const AdhesiveCurve::State& s) {
-        return s.energy + parts_.curve->work_of_separation() * pi * s.radius * s.radius;
-    };
+    const auto size = [&](const AdhesiveCurve::State& s) { return s.energy - s.attraction; };
     const double all = std::max(size(before), size(state_));
     if (all == 0) return;
     const double stored = parts_.curve->stored(state_) - parts_.curve->stored(before);
@@ -165,7 +176,8 @@ contact::Scales AdhesiveModel::scales() const {
 /// From the middle to the edge, where the load ends within 1e-6 of the radius.
 EvenLoads AdhesiveModel::loads() const {
     constexpr double beside_edge = 1 - 1e-6;
-    if (!state_.touches()) return {{0, row_.spacing}, {0, 0}, {0, 0}};
+    if (!(state_.reach > 0)) return {{0, row_.spacing}, {0, 0}, {0, 0}};
+    if (!state_.touches()) return with_ring({{}, {}, {}});
     const std::vector<double> q = parts_.springs->loads(state_.radius, state_.indentation);
     const double spacing = state_.radius / static_cast<double>(q.size());
     const std::size_t stride = (q.size() + most_surface_pieces - 1) / most_surface_pieces;
@@ -174,6 +186,7 @@ EvenLoads AdhesiveModel::loads() const {
         even.positions.push_back((static_cast<double>(i) + .5) * spacing);
         even.normal.push_back(q[i]);
     }
+    if (state_.reach > state_.radius) return with_ring(std::move(even));
     even.positions.push_back(beside_edge * state_.radius);
     even.normal.push_back(-parts_.springs->modulus() * parts_.springs->at(state_.radius).edge *
                           state_.detached);
@@ -183,11 +196,29 @@ EvenLoads AdhesiveModel::loads() const {
     return even;
 }
 
+/// With what a tension that reaches beyond the contact stretches the springs by there.
+EvenLoads AdhesiveModel::with_ring(EvenLoads even) const {
+    constexpr int n = 200;
+    const double a = state_.radius, c = state_.reach,
+                 pull = state_.detached * parts_.springs->modulus() / std::sqrt(c * c - a * a);
+    for (int i = 0; i <= n; ++i) {
+        // Closer together where the root falls to 0.
+        const double way = 1 - static_cast<double>(n - i) / n * (n - i) / n;
+        const double x = i == n ? c : std::lerp(a, c, way);
+        even.positions.push_back(x);
+        even.normal.push_back(-pull * std::sqrt(std::max(0., c * c - x * x)));
+    }
+    even.tangential.assign(even.positions.size(), 0);
+    return even;
+}
+
 void AdhesiveModel::show_normal(const EvenLoads& even, int point, Surface& s) const {
     const double x = std::abs(s.x(point) - s.offset[0]);
     const double height = parts_.profile->value(std::min(x, parts_.profile->range()));
     if (!(x < state_.radius)) {
         s.gap[point] = std::max(0., height - state_.indentation);
+        if (x < state_.reach)
+            s.normal_line_load[point] = contact::between_rows(even.positions, even.normal, x);
         return;
     }
     s.gap[point] = 0;
@@ -219,7 +250,8 @@ Surface AdhesiveModel::surface() const {
 template <class Archive, class Self>
 void AdhesiveModel::transfer(Archive& archive, Self& model) {
     auto& s = model.state_;
-    archive(s.radius, s.indentation, s.force, s.energy, s.detached, model.widest_);
+    archive(s.place, s.radius, s.reach, s.indentation, s.force, s.energy, s.attraction, s.detached,
+            model.widest_);
 }
 
 std::string AdhesiveModel::write_state() const {
@@ -261,7 +293,7 @@ std::unique_ptr<contact::Model> make_adhesive_model(
     constexpr double shown = 1.5;  // over the widest contact
     return std::make_unique<AdhesiveModel>(
         model, std::move(parts), c.friction.law(), c.materials().effective_shear_modulus(),
-        std::move(sliding), most_surface_points, shown * pressed.radius);
+        std::move(sliding), most_surface_points, shown * pressed.reach);
 }
 
 }  // namespace tricontact::mdr

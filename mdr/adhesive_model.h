@@ -18,7 +18,8 @@
 namespace tricontact::mdr {
 
 /// Springs whose edge lets go when it is stretched by l, and jumps into contact at the first touch:
-/// Johnson, Kendall and Roberts' adhesion, see theory::AdhesiveHysteresis. Where the surfaces are
+/// Johnson, Kendall and Roberts' adhesion, see theory::AdhesiveHysteresis; on the half-space also
+/// Dugdale's tension of some range, theory::dugdale_contacts(). Where the surfaces are
 /// alike all over, and so is the work of adhesion whether they close or part, the normal contact
 /// moves along with an indenter that rolls: it closes in front as it opens behind.
 class AdhesiveModel final : public contact::Model {
@@ -66,6 +67,7 @@ class AdhesiveModel final : public contact::Model {
 
   private:
     EvenLoads loads() const;
+    EvenLoads with_ring(EvenLoads even) const;
     void show_normal(const EvenLoads& even, int point, contact::Surface& s) const;
     void audit_step(const theory::AdhesiveCurve::Motion& motion,
                     const theory::AdhesiveCurve::State& before);

@@ -74,6 +74,17 @@ std::optional<double> half_width(const NumericalError& error, const Value& value
     return mesh + safety_factor * rest;
 }
 
+/// The force is flat where it lets go. By JKR F'' a^2 = 9/2 F there: what the force is off by moves
+/// the radius by its root.
+double least_pull_off_radius_error(const NumericalError& error) {
+    if (contact::model_kind(error.model).is_on_line()) return 0;  // which find the place exactly
+    const auto force = error.run->results.number(quantities::pull_off_force);
+    const auto off = error.of(quantities::pull_off_force);
+    if (!force || !off || !(*force > 0)) return 0;
+    return 2. / 3 * std::sqrt(*off / *force) *
+           error.run->results.number(quantities::pull_off_radius).value_or(0);
+}
+
 Factors factors_of(const NumericalError& error, const Quantity& q) {
     return {.coarsest = q.is_counted || !contact::model_kind(error.model).converges_in_order
                             ? no_order
@@ -145,7 +156,8 @@ std::optional<double> NumericalError::of(const Quantity& q) const {
         *this, [&q](const ResolvedRun& r) { return r.results.number(q); }, factors_of(*this, q));
     if (!width) return {};
     return std::max({*width, of_tolerance * tolerance * error_scale(q, run->results),
-                     least_area_error(q, run->results, model, cell)});
+                     least_area_error(q, run->results, model, cell),
+                     &q == &quantities::pull_off_radius ? least_pull_off_radius_error(*this) : 0});
 }
 
 bool NumericalError::is_exact(const Quantity& q) const {

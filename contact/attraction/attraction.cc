@@ -29,8 +29,9 @@ double point_distance(const ContactPoints& points) {
     const double area = std::accumulate(points.area.begin(), points.area.end(), 0.);
     const double n = static_cast<double>(points.size());
     if (points.line_length > 0 && points.n_y == 1) return points.spacing[0];
-    const double side = std::sqrt(area / (points.mirrored ? 2 * n : n));
-    return points.quads.empty() ? side : 4 * side / 3;
+    // On the edge of a patch of elements points have half an area.
+    if (points.n_x > 0 && points.local_ratio > 0) return points.spacing[0];
+    return std::sqrt(area / (points.mirrored ? 2 * n : n));
 }
 
 // The mean of a step at `distance` over gaps that are spread evenly over `width`: a ramp. It ends
@@ -86,9 +87,8 @@ Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, 
     if (length < least_points_of_range * size)
         throw InputError(fmt::format(
             "adhesion: the tension of {:.4g} Pa acts over {:.3g} m beside the contact, less than "
-            "two cells, or two thirds of elements (of sections 4/3), of {:.3g} m; make those "
-            "finer, or the range "
-            "longer, or set it to 0",
+            "two cells, or distances of nodes (in sections 8/3 of those), of {:.3g} m; make those "
+            "finer, or the range longer, or set it to 0",
             strength, length, size));
     return {.strength = strength,
             .distance = law.distance,
@@ -96,19 +96,10 @@ Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, 
             .is_short_ranged = false};
 }
 
-GapWidths::GapWidths(const ContactPoints& points) : points_(points) {
-    if (points.n_x > 0) return;
-    beside_.resize(points.size());
-    for (const auto& quad : points.quads)
-        for (const int i : quad)
-            for (const int j : quad)
-                if (i != j) beside_[i].push_back(j);
-}
-
-double GapWidths::on_grid(std::span<const double> gap, int i, int j) const {
+double GapWidths::at(std::span<const double> gap, int i, int j) const {
     const int n_x = points_.n_x, n_y = points_.n_y;
     const double here = gap[static_cast<std::size_t>(j) * n_x + i];
-    const auto at = [&](int k, int l) {
+    const auto of = [&](int k, int l) {
         if (points_.periodic) {
             k = (k + n_x) % n_x;
             l = (l + n_y) % n_y;
@@ -118,26 +109,14 @@ double GapWidths::on_grid(std::span<const double> gap, int i, int j) const {
         const double value = is_there ? gap[static_cast<std::size_t>(l) * n_x + k] : here;
         return std::isfinite(value) ? value : here;
     };
-    const double along_x = std::abs(at(i + 1, j) - at(i - 1, j)) / 2;
-    return along_x + (n_y > 1 ? std::abs(at(i, j + 1) - at(i, j - 1)) / 2 : 0);
+    const double along_x = std::abs(of(i + 1, j) - of(i - 1, j)) / 2;
+    return along_x + (n_y > 1 ? std::abs(of(i, j + 1) - of(i, j - 1)) / 2 : 0);
 }
 
 void GapWidths::of(std::span<const double> gap, std::span<double> width) const {
-    if (points_.n_x > 0) {
-        for (int j = 0; j < points_.n_y; ++j)
-            for (int i = 0; i < points_.n_x; ++i)
-                width[static_cast<std::size_t>(j) * points_.n_x + i] = on_grid(gap, i, j);
-        return;
-    }
-    for (std::size_t i = 0; i < beside_.size(); ++i) {
-        double slope = 0;
-        for (const int j : beside_[i]) {
-            const double way = std::hypot(points_.x[j] - points_.x[i], points_.y[j] - points_.y[i]);
-            const double rise = std::abs(gap[j] - gap[i]);
-            if (std::isfinite(rise)) slope = std::max(slope, rise / way);
-        }
-        width[i] = slope * std::sqrt(points_.area[i]);
-    }
+    for (int j = 0; j < points_.n_y; ++j)
+        for (int i = 0; i < points_.n_x; ++i)
+            width[static_cast<std::size_t>(j) * points_.n_x + i] = at(gap, i, j);
 }
 
 }  // namespace tricontact::contact

@@ -29,8 +29,8 @@ struct Attraction {
     double energy(double gap, double width) const;
 };
 
-/// Side of a point's surface [m]; of nodes of elements that of the largest, two thirds of an
-/// element's. Of a contact of revolution by its radius 8/3 of the distance of nodes.
+/// Side of a point's surface [m]; of a contact of revolution by its radius 8/3 of the distance of
+/// nodes.
 double point_distance(const ContactPoints& points);
 
 /// In points, of the zone beside the contact in which a tension acts that stands for range 0.
@@ -50,16 +50,16 @@ Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, 
 /// they are.
 class GapWidths {
   public:
-    explicit GapWidths(const ContactPoints& points);
+    /// On a grid.
+    explicit GapWidths(const ContactPoints& points) : points_(points) {}
 
     /// Per point [m]; `gap` may be infinite.
     void of(std::span<const double> gap, std::span<double> width) const;
 
   private:
-    double on_grid(std::span<const double> gap, int i, int j) const;
+    double at(std::span<const double> gap, int i, int j) const;
 
     const ContactPoints& points_;
-    std::vector<std::vector<int>> beside_;  // of points on element faces that form no grid
 };
 
 }  // namespace tricontact::contact

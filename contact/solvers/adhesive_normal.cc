@@ -7,6 +7,7 @@
 
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
+#include "contact/compliances/radial_points.h"
 #include "contact/solvers/fixed_point.h"
 
 // p = q - s: q >= 0 where the surfaces touch, s = sigma(g) >= 0 all over. For a given s the contact
@@ -39,12 +40,6 @@ constexpr double roughest_press = 1e-3, of_residual = .05;
 /// off, the stresses of one that ends at 2 int s t^(1/2) dt/int s t^(-1/2) dt. Of s = s_0 (1 -
 /// (t/rho)^3)^2 that is this part of int s dt/s_0 (Barenblatt 1962, Adv. Appl. Mech. 7, 55).
 constexpr double to_the_tip = .7;
-
-/// What is set free in a step, over w and the area that attracts, from which on it is looked at
-/// closer: whether halves of the step show it to be the error of an integral, or it is bisected,
-/// for an integral by trapezoids knows where a jump was to the step that it is in.
-constexpr double is_seen = 3e-4, like_a_rule = .1;
-constexpr int most_bisections = 9;
 
 }  // namespace
 
@@ -109,6 +104,7 @@ AdhesiveNormal::AdhesiveNormal(std::string name, const Compliance& compliance,
       widths_(compliance.points()),
       exact_(compliance, .1 * tolerance) {
     if (ContactShare::is_known(compliance.points())) share_.emplace(compliance.points());
+    if (are_radii(compliance.points())) rings_.emplace(compliance.points());
 }
 
 /// Presses under the present tension.
@@ -158,10 +154,12 @@ void AdhesiveNormal::update_tension(Iterate& now) const {
     const std::size_t n = now.gap.size();
     now.next.resize(n);
     std::vector<double> change(n), displaced(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        now.next[i] = attraction_.tension(now.gap[i], now.width[i]);
-        change[i] = now.next[i] - now.tension[i];
-    }
+    if (rings_)
+        rings_->tensions(attraction_, now.gap, now.next);
+    else
+        for (std::size_t i = 0; i < n; ++i)
+            now.next[i] = attraction_.tension(now.gap[i], now.width[i]);
+    for (std::size_t i = 0; i < n; ++i) change[i] = now.next[i] - now.tension[i];
     compliance_.normal(change, displaced);
     double worst = 0;
     for (const double u : displaced) worst = larger(worst, std::abs(u));
@@ -188,7 +186,8 @@ NormalSolution AdhesiveNormal::settle(const std::vector<double>& height,
         now.touch.force = 0;
     }
     Way way;
-    bool widths_stay = attraction_.decays || attraction_.is_short_ranged;
+    const bool needs_widths = !(rings_ || attraction_.decays || attraction_.is_short_ranged);
+    bool widths_stay = !needs_widths;
     int iterations = 0;
     for (int k = 0; k < max_tensions; ++k) {
         compliance_.normal(now.tension, now.lowered);
@@ -202,7 +201,7 @@ NormalSolution AdhesiveNormal::settle(const std::vector<double>& height,
             now.touch.iterations = iterations;
             return finish(std::move(now));
         }
-        if (!attraction_.decays && !attraction_.is_short_ranged) {
+        if (needs_widths) {
             if (now.residual < widths_settled || k > most_varied) widths_stay = true;
             if (now.residual > 10 * widths_settled && k <= most_varied) widths_stay = false;
         }
@@ -223,7 +222,8 @@ NormalSolution AdhesiveNormal::finish(Iterate now) const {
     s.share = share_ ? share_->of(s.pressure, now.gap) : std::vector<double>(n);
     s.residual = std::max(s.residual, now.residual);
     s.length = std::max(s.length, attraction_.distance);
-    s.force = s.energy = s.pull = 0;
+    s.force = s.pull = 0;
+    s.energy = rings_ ? rings_->energy(attraction_, now.gap) : 0;
     for (std::size_t i = 0; i < n; ++i) {
         if (!share_) s.share[i] = s.pressure[i] > 0;
         if (attraction_.is_short_ranged)
@@ -232,8 +232,8 @@ NormalSolution AdhesiveNormal::finish(Iterate now) const {
         s.displacement[i] -= now.lowered[i];
         s.force += area[i] * s.pressure[i];
         s.pull += area[i] * now.tension[i];
-        s.energy += area[i] * (s.pressure[i] * s.displacement[i] / 2 +
-                               attraction_.energy(now.gap[i], now.width[i]));
+        s.energy += area[i] * s.pressure[i] * s.displacement[i] / 2;
+        if (!rings_) s.energy += area[i] * attraction_.energy(now.gap[i], now.width[i]);
     }
     s.tension = std::move(now.tension);
     return s;
@@ -245,54 +245,6 @@ std::vector<double> AdhesiveNormal::separation_work(const std::vector<double>& g
     for (std::size_t i = 0; i < gap.size(); ++i)
         work[i] = attraction_.work() + attraction_.energy(gap[i], work[i]);
     return work;
-}
-
-double AdhesiveNormal::attracted_area(const NormalSolution& s) const {
-    const auto& area = compliance_.points().area;
-    double sum = 0;
-    for (std::size_t i = 0; i < area.size(); ++i)
-        sum += area[i] * s.tension[i] / attraction_.strength;
-    return sum;
-}
-
-/// What is set free on the way, by the trapezoidal rule: work less what is stored.
-double AdhesiveNormal::freed(const NormalSolution& before, const NormalSolution& after) const {
-    const double work =
-        .5 * (before.force + after.force) * (after.indentation - before.indentation);
-    return work - (after.energy - before.energy);
-}
-
-NormalSolution AdhesiveNormal::resolve(const std::vector<double>& height, const NormalControl& from,
-                                       const NormalControl& to, const NormalSolution& before,
-                                       NormalSolution after, int depth) const {
-    after.released = freed(before, after);
-    const double unit =
-        attraction_.work() * std::max(attracted_area(before), attracted_area(after));
-    if (depth == most_bisections || !(std::abs(after.released) > is_seen * unit)) return after;
-    NormalControl half = to;
-    half.value = (from.value + to.value) / 2;
-    NormalSolution between = settle(height, half, before);
-    after.iterations += between.iterations;
-    // Of a smooth change the rule's error is a quarter of that of the whole step.
-    const double halves = freed(before, between) + freed(between, after);
-    if (std::abs(halves - after.released / 4) <= like_a_rule * std::abs(after.released)) {
-        after.released = (4 * halves - after.released) / 3;
-        return after;
-    }
-    const NormalSolution first = resolve(height, from, half, before, std::move(between), depth + 1);
-    NormalSolution last = resolve(height, half, to, first, settle(height, to, first), depth + 1);
-    last.released += first.released;
-    last.iterations += first.iterations;
-    return last;
-}
-
-NormalSolution AdhesiveNormal::follow(const std::vector<double>& height,
-                                      const NormalControl& control,
-                                      const NormalSolution& before) const {
-    if (!before.attracts()) return settle(height, control, before);
-    const bool by_force = control.kind == NormalControl::Kind::force;
-    return resolve(height, {control.kind, by_force ? before.force : before.indentation}, control,
-                   before, settle(height, control, before), 0);
 }
 
 bool AdhesiveNormal::has_other_state(const std::vector<double>& height,

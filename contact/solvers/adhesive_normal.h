@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/attraction/attraction.h"
+#include "contact/attraction/ring_tension.h"
 #include "contact/solvers/contact_share.h"
 #include "contact/solvers/normal_solver.h"
 
@@ -43,6 +44,9 @@ class AdhesiveNormal {
                Iterate& now) const;
     void update_tension(Iterate& now) const;
     NormalSolution finish(Iterate now) const;
+    std::optional<NormalSolution> settled(const std::vector<double>& height,
+                                          const NormalControl& control,
+                                          const NormalSolution& before) const;
     double freed(const NormalSolution& before, const NormalSolution& after) const;
     NormalSolution resolve(const std::vector<double>& height, const NormalControl& from,
                            const NormalControl& to, const NormalSolution& before,
@@ -54,6 +58,7 @@ class AdhesiveNormal {
     Attraction attraction_;
     double tolerance_;
     GapWidths widths_;
+    std::optional<RingTension> rings_;  // of a contact of revolution, in place of widths
     std::optional<ContactShare> share_;
     NormalSolver exact_;
 };

@@ -24,9 +24,12 @@ struct NormalSolution {
     std::vector<double> share{};  ///< in contact, per point (ContactShare); empty: not asked for
     /// Of surfaces that attract each other, by AdhesiveNormal: their tension s, which `pressure`
     /// contains (p = q - s, q >= 0 by touch) [Pa], 0 or more; else empty. The energies of the state
-    /// (elastic and of the tension) and what was set free on the way to it [J].
+    /// (elastic and of the tension) and what jumps on the way to it lose [J].
     std::vector<double> tension{};
     double energy = 0, released = 0;
+    /// What the work of the force on the smooth parts of the way differs by from what it stores,
+    /// over that [-].
+    double unbalanced = 0;
     double pull = 0;  ///< of the tension, in all [N]
 
     double touch_force() const { return force + pull; }  ///< of q [N]

@@ -28,6 +28,8 @@ Assumption uncoupled(const Rig& rig, const StaticShift& static_shift);
 Assumption growth_by_rolling(const Rig& rig, const RolledGrowth& growth);
 Assumption small_strains(const Rig& rig);
 Assumption no_adhesion(const Rig& rig);
+/// By Rig::attracted.
+Assumption no_adhesion_of_body(const Rig& rig);
 Assumption smooth_surfaces(const Rig& rig);
 Assumption unsaturated_contact(const Rig& rig);
 Assumption no_heating(const Rig& rig);
@@ -94,7 +96,7 @@ inline std::vector<Assumption> assumptions_of(const Rig& rig, const StaticShift&
                     at_values_of(rig, uncoupled(rig, static_shift)),
                     at_values_of(rig, growth_by_rolling(rig, growth)),
                     small_strains(rig),
-                    no_adhesion(rig),
+                    rig.attracted ? at_values_of(rig, no_adhesion(rig)) : no_adhesion(rig),
                     smooth_surfaces(rig),
                     unsaturated_contact(rig),
                     no_heating(rig),
@@ -108,10 +110,13 @@ inline std::vector<Assumption> assumptions_of(const Rig& rig, const StaticShift&
         case Rig::Kind::body:
             return {quasi_static_drive(rig), at_values_of(rig, half_space_of_body(rig)),
                     elastic_substrate(rig),
-                    at_values_of(rig, uncoupled(rig, [](const Rig& body, bool coupled) {
-                                     return coupled ? body.body->coupled_static_shift.value
-                                                    : body.body->layer.static_shift.value;
-                                 }))};
+                    at_values_of(
+                        rig, uncoupled(rig,
+                                       [](const Rig& body, bool coupled) {
+                                           return coupled ? body.body->coupled_static_shift.value
+                                                          : body.body->layer.static_shift.value;
+                                       })),
+                    at_values_of(rig, no_adhesion_of_body(rig))};
         case Rig::Kind::micro_walking:
             return {contact_diameter(rig), known_stiffness(rig), similar_stiffness(rig),
                     rigid_sensor(rig),     rod_as_spring(rig),   no_tilting(rig),

@@ -42,6 +42,16 @@ struct BodyContacts {
     Estimate coupled_static_shift;  ///< on the layer [m]
 };
 
+/// A rig's indenter pressed by F_N, with and without Rig::Dgamma, by springs.
+struct AttractedContact {
+    double pull_off;                ///< [N]
+    double radius, radius_without;  ///< [m]
+};
+struct AttractedContacts {
+    AttractedContact half_space, layer;
+    std::string why_none = {};  ///< not computed: why, and where; else empty
+};
+
 /// A number of a rig; not known until it is stated.
 struct RigNumber : Estimate {
     RigNumber() : RigNumber(contact::undefined) {}
@@ -97,7 +107,9 @@ struct Rig : RigData {
     std::string title;
     contact::Case c = {};  ///< of a rolling rig, by the values
     std::vector<PrintedValue> printed = {};
-    std::optional<BodyContacts> body = {};       ///< of Kind::body, by models that the caller has
+    std::optional<BodyContacts> body = {};  ///< of Kind::body, by models that the caller has
+    /// Of Kind::body, and of a sphere that is not rigid beside its layer; where Dgamma is known.
+    std::optional<AttractedContacts> attracted = {};
     std::optional<SlidingSlope> sliding = {};    ///< of a rolling rig's measurement.sliding_force
     std::vector<Measured> measured = {};         ///< what the file has records of; empty: anything
     statistics::Correlations correlations = {};  ///< of the data, by their keys

@@ -88,7 +88,68 @@ constexpr Formula layer_radius(
                1;
     });
 
+/// Of a run of the rig's indenter, whose numbers are exact but for rounding.
+void decide_by_run(Assumption& a, const Rig& rig, const AttractedContact& run, const char* runs,
+                   const std::string& before, const std::string& where) {
+    const auto criterion = [&](const char* name, const std::string& symbol, const char* formula,
+                               std::vector<Given> given, statistics::Quantity function) {
+        a.criteria.push_back({calculate(before + name, symbol + where, formula, runs, "1",
+                                        std::move(given), std::move(function)),
+                              Criterion::Relation::at_most, accepted_difference, accepted_reason});
+    };
+    criterion("pull_off_ratio", "F_off/F_N", "largest tension over F_N",
+              {{"F_off", Estimate{run.pull_off}, "N"}, {"F_N", rig.F_N, "N"}},
+              [](const Values& x) { return x[0] / x[1]; });
+    criterion("adhesive_radius_change", "a adhesive/a - 1", "both under F_N",
+              {{"a adhesive", Estimate{run.radius}, "m"}, {"a", Estimate{run.radius_without}, "m"}},
+              [](const Values& x) { return x[0] / x[1] - 1; });
+}
+
+std::string widened_by_run(const AttractedContact& run) {
+    return fmt::format("adhesion widens the contact by {}; pulling it off takes {}.",
+                       percent_text(run.radius / run.radius_without - 1, 2),
+                       quantity(run.pull_off, "N", 2));
+}
+
+constexpr const char* half_space_springs = "runs of mdr, springs that let go at the edge";
+constexpr const char* layer_springs = "runs of mdr-layer, springs that let go at the edge";
+constexpr const char* on_the_layer = ", layer";
+
+/// Of a sphere that is not rigid beside its layer.
+void add_soft_layer(Assumption& a, const Rig& rig) {
+    if (!rig.attracted) {
+        a.consequence += " On the layer it is not computed: a run of the rig's indenter.";
+        return;
+    }
+    if (!rig.attracted->why_none.empty()) {
+        a.consequence +=
+            fmt::format(" On the layer it is not computed: {}.", rig.attracted->why_none);
+        return;
+    }
+    decide_by_run(a, rig, rig.attracted->layer, layer_springs, "layer_", on_the_layer);
+    a.consequence += " On the layer " + widened_by_run(rig.attracted->layer);
+}
+
 }  // namespace
+
+/// Of any body, by runs: attraction has no range there.
+Assumption no_adhesion_of_body(const Rig& rig) {
+    Assumption a{.name = "no_adhesion",
+                 .title = "No adhesion",
+                 .claim = "The surfaces do not attract each other"};
+    if (!has_all(a, rig, {&Rig::F_N, &Rig::Dgamma})) return a;
+    if (!rig.attracted || !rig.attracted->why_none.empty()) {
+        a.missing = {"not computed: " + (rig.attracted ? rig.attracted->why_none
+                                                       : std::string("runs of mdr and mdr-layer"))};
+        return a;
+    }
+    decide_by_run(a, rig, rig.attracted->half_space, half_space_springs, "", "");
+    decide_by_run(a, rig, rig.attracted->layer, layer_springs, "layer_", on_the_layer);
+    a.consequence = "On a half-space " + widened_by_run(rig.attracted->half_space) +
+                    " On the layer " + widened_by_run(rig.attracted->layer) +
+                    " Both without a range.";
+    return a;
+}
 
 Assumption no_adhesion(const Rig& rig) {
     using enum Criterion::Relation;
@@ -107,7 +168,16 @@ Assumption no_adhesion(const Rig& rig) {
         forms.name, significant(a.background.front().result.value, 2),
         percent_text(a.criteria.back().calculation.result.value, 2),
         quantity(a.deciding_value() * rig.F_N, "N", 2));
-    if (!is_short_ranged || !rig.b.is_known() || !roller_is_rigid(rig)) return a;
+    if (!rig.b.is_known()) return a;
+    if (!is_short_ranged) {
+        a.consequence +=
+            " On the layer it is not computed: its springs know attraction of no range.";
+        return a;
+    }
+    if (!roller_is_rigid(rig)) {
+        add_soft_layer(a, rig);
+        return a;
+    }
     for (const Formula* formula : {&layer_pull_off, &layer_radius})
         decide(a, rig, *formula, at_most, accepted_difference, accepted_reason);
     a.consequence +=

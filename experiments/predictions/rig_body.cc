@@ -19,6 +19,17 @@ statistics::Estimate with_error(double fine, double coarse) {
     return {fine, std::abs(numerical_error(fine, coarse))};
 }
 
+AttractedContact attracted_contact(const std::string& model, Case c, double work,
+                                   const contact::ModelRunner& runner) {
+    AttractedContact found{};
+    found.radius_without = runner.history_of(model, c).scales.contact_radius;
+    c.adhesion = contact::Adhesion{.work = work};
+    const History history = runner.history_of(model, c);
+    found.radius = history.scales.contact_radius;
+    found.pull_off = history.pull_off.value().force;
+    return found;
+}
+
 }  // namespace
 
 Case at_rest(Case c, double tangential_ratio) {
@@ -53,9 +64,27 @@ BodyContacts body_contacts(const Case& c, const contact::ModelRunner& runner) {
             contact_by(contact::models::bem_layer, still, runner).static_shift};
 }
 
+AttractedContacts attracted_contacts(const Case& c, double work,
+                                     const contact::ModelRunner& runner) {
+    const Case still = at_rest(c, 0);
+    AttractedContacts found{};
+    try {
+        found.half_space = attracted_contact(contact::models::mdr, still, work, runner);
+        found.layer = attracted_contact(contact::models::mdr_layer, still, work, runner);
+    } catch (const contact::InputError& error) {
+        found.why_none = error.what();
+    } catch (const contact::NotConverged& error) {
+        found.why_none = error.what();
+    }
+    return found;
+}
+
 Rig rig_with_body(const io::RigFile& file, const contact::ModelRunner& runner) {
     Rig rig = rolling_rig(file);
     if (rig.kind == Rig::Kind::body) rig.body = body_contacts(file.c, runner);
+    const bool has_forms = rig.kind != Rig::Kind::body && !has_soft_indenter(rig);
+    if (!has_forms && rig.kind != Rig::Kind::cylinder && rig.Dgamma.is_known())
+        rig.attracted = attracted_contacts(file.c, rig.Dgamma, runner);
     return rig;
 }
 

@@ -19,8 +19,13 @@ BodyContact contact_by(const std::string& model, const contact::Case& c,
 /// substrate is relaxed. Throws contact::InputError, contact::NotConverged.
 BodyContacts body_contacts(const contact::Case& c, const contact::ModelRunner& runner);
 
-/// rolling_rig() with the contacts of its body where that is neither sphere nor cylinder. Throws
-/// also what body_contacts() does.
+/// The indenter of a rig's case, pressed by F_N, with and without a work of adhesion [J/m^2], by
+/// the springs of mdr and mdr-layer; without numbers where they do not compute it.
+AttractedContacts attracted_contacts(const contact::Case& c, double work,
+                                     const contact::ModelRunner& runner);
+
+/// rolling_rig() with the contacts of its body where that is neither sphere nor cylinder, and with
+/// attracted_contacts() where no closed form has them. Throws also what body_contacts() does.
 Rig rig_with_body(const io::RigFile& file, const contact::ModelRunner& runner);
 
 }  // namespace tricontact::experiments

@@ -8,6 +8,7 @@
 #include "contact/solvers/contact_share.h"
 #include "fem/case/indenter_body.h"
 #include "fem/condensed_layer.h"
+#include "fem/mortar/pressure_grid.h"
 #include "fem/settings.h"
 
 // Condensing takes minutes and gigabytes, a product milliseconds: so a layer is looked for in the
@@ -66,6 +67,14 @@ bool LayerCondenser::couples_by_element_means() const {
 
 std::unique_ptr<CondensedCompliance> LayerCondenser::make(meshes::HexMesh mesh) {
     CondensedPart layer = part(problem_of(case_, std::move(mesh)), "layer");
+    // A tension over the gap asks for points that are alike.
+    if (case_.adhesion) {
+        const contact::ContactPoints grid = grid_on_nodes(layer.layer.points);
+        PressureTransfer transfer = transfer_to(layer.layer.points, grid);
+        layer.layer = on_grid(std::move(layer.layer), grid, transfer);
+        return std::make_unique<CondensedCompliance>(std::move(layer.problem),
+                                                     std::move(layer.layer), std::move(transfer));
+    }
     return std::make_unique<CondensedCompliance>(
         std::move(layer.problem),
         case_.is_line_contact() ? contact_line(layer.layer) : std::move(layer.layer),

@@ -109,7 +109,7 @@ CondensedPart onto_grid(MeshedBody body, const ContactPoints& grid, const LayerC
                         const char* what) {
     CondensedPart part = condenser.part(std::move(body.problem), what);
     part.transfer = transfer_to(body.points, grid);
-    part.layer = on_grid(part.layer, grid, *part.transfer);
+    part.layer = on_grid(std::move(part.layer), grid, *part.transfer);
     return part;
 }
 

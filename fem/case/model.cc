@@ -14,6 +14,7 @@
 #include "fem/case/mesh_choice.h"
 #include "fem/case/meshed_bodies.h"
 #include "fem/finite_strain/strained_model.h"
+#include "fem/mortar/mean_heights.h"
 #include "fem/settings.h"
 #include "meshes/mesh_file.h"
 
@@ -204,9 +205,12 @@ std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say, int n_
     };
     const auto direct = [&]() -> std::unique_ptr<contact::Model> {
         auto relaxed = contact::relaxes_as_one(c) ? of_elastic(c) : nullptr;
+        std::shared_ptr<const contact::Indenter> indenter = c.make_indenter();
+        if (c.adhesion)
+            indenter = std::make_shared<MeanHeights>(indenter, relaxed->points().spacing);
         auto model = std::make_unique<contact::SurfaceModel>(
             contact::models::fem,
-            *contact::make_substrate(c, false, std::move(relaxed), of_elastic), c.make_indenter(),
+            *contact::make_substrate(c, false, std::move(relaxed), of_elastic), indenter,
             c.friction.law(), c.of<Settings>().tolerance, c.contact);
         if (c.adhesion) model->attract(c.adhesion->attraction(), c.materials().effective_modulus());
         return model;

@@ -203,14 +203,21 @@ std::vector<double> weighted_means(const PressureTransfer& transfer,
     return sum;
 }
 
-CondensedLayer on_grid(const CondensedLayer& body, const ContactPoints& grid,
+ContactPoints grid_on_nodes(const ContactPoints& patch) {
+    const Vector2 last{patch.x.back(), patch.y.back()};
+    return pressure_grid({patch.first, last}, patch.spacing[0], patch.mirrored);
+}
+
+// As many points as nodes: in place, since most of the memory is in the matrix.
+CondensedLayer on_grid(CondensedLayer body, const ContactPoints& grid,
                        const PressureTransfer& transfer) {
     const Sparse mean = mean_matrix(transfer);
     const auto n = mean.rows(), m = mean.cols();
     const std::vector<bool> held = held_along_y(grid);
     CondensedLayer seen;
     seen.points = grid;
-    seen.compliance = large_field(9 * m * m);
+    std::vector<double> apart = n == m ? std::vector<double>() : large_field(9 * m * m);
+    std::vector<double>& seen_compliance = n == m ? body.compliance : apart;
     using Block = Eigen::Map<const Dense, 0, Eigen::OuterStride<>>;
     using Target = Eigen::Map<Dense, 0, Eigen::OuterStride<>>;
     const auto is_held = [&](int component, Eigen::Index k) { return component == 1 && held[k]; };
@@ -218,7 +225,7 @@ CondensedLayer on_grid(const CondensedLayer& body, const ContactPoints& grid,
         for (int r = 0; r < 3; ++r) {
             const Block block(body.compliance.data() + (c * n) * 3 * n + r * n, n, n,
                               Eigen::OuterStride<>(3 * n));
-            Target to(seen.compliance.data() + (c * m) * 3 * m + r * m, m, m,
+            Target to(seen_compliance.data() + (c * m) * 3 * m + r * m, m, m,
                       Eigen::OuterStride<>(3 * m));
             const Dense by_points = block * mean;
             to = mean.transpose() * by_points;
@@ -227,6 +234,7 @@ CondensedLayer on_grid(const CondensedLayer& body, const ContactPoints& grid,
                 if (is_held(r, k)) to.row(k).setZero();
             }
         }
+    seen.compliance = std::move(seen_compliance);
     for (int d = 0; d < 3; ++d) {
         seen.missing_reaction[d].resize(3 * m);
         for (int c = 0; c < 3; ++c) {

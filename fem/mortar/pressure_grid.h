@@ -52,7 +52,11 @@ std::vector<double> weighted_means(const PressureTransfer& transfer, std::span<c
 
 /// The body as the points of the grid see it: forces on points, weighted means of displacements.
 /// There is no contact mass.
-CondensedLayer on_grid(const CondensedLayer& body, const contact::ContactPoints& grid,
+CondensedLayer on_grid(CondensedLayer body, const contact::ContactPoints& grid,
                        const PressureTransfer& transfer);
+
+/// The pressure grid on the nodes of a patch that form a grid themselves. All of its points but
+/// those on the edge of the patch have one area, where those of nodes differ by a factor of four.
+contact::ContactPoints grid_on_nodes(const contact::ContactPoints& patch);
 
 }  // namespace tricontact::fem

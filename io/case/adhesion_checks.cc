@@ -18,16 +18,16 @@ void check_adhesive_model(const std::string& model, const Case& c, const Documen
     if (!kind.sees_adhesion)
         refuse(document, key, model + " knows no surfaces that attract each other",
                "leave out " + model + ", or " + omit_adhesion);
-    if (kind.is_on_line() && !c.adhesion->is_short_ranged())
-        refuse(document, used(document, "adhesion.range", "adhesion.peak_stress"),
-               "the springs of " + model + " let go at the edge alone, the range is 0 there",
-               "leave out " + model + ", or omit the range");
-    if (kind.is_meshed() && !c.is_pressed_only())
-        refuse(
-            document, key, "friction under tension, and rolling, are computed by springs and cells",
-            "take mdr, mdr-layer, bem or bem-layer, set load.tangential_ratio = 0 and omit rolling "
-            "and shifts, or " +
-                omit_adhesion);
+    if (kind.is_on_line() && !c.adhesion->is_short_ranged()) {
+        if (kind.is_layer())
+            refuse(document, used(document, "adhesion.range", "adhesion.peak_stress"),
+                   "the springs of " + model + " let go at the edge alone, the range is 0 there",
+                   "leave out " + model + ", or omit the range");
+        if (c.adhesion->law != contact::Adhesion::Law::dugdale)
+            refuse(document, "adhesion.law",
+                   "of a range the springs of " + model + " know a constant tension alone",
+                   "leave out " + model + R"(, or take law = "dugdale")");
+    }
     if (!kind.is_on_line() && !c.adhesion->is_reversible())
         refuse(document, "adhesion.approach_work",
                model + " knows one work of adhesion for approach and separation",

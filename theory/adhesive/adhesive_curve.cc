@@ -20,9 +20,10 @@ using contact::NormalControl;
 using State = AdhesiveCurve::State;
 using std::numbers::pi;
 
-constexpr double least_radius = .02;   // over that of first touch
-constexpr double node_ratio = 1.015;   // of neighbouring radii
-constexpr double same_radius = 1e-12;  // relative
+constexpr double least_radius = .02;  // over that of first touch
+constexpr double node_ratio = 1.015;  // of neighbouring radii
+constexpr double same_place = 1e-12;  // relative
+constexpr int most_halvings = 12;     // of the least place, until both controls fall there
 
 double value_of(const State& s, NormalControl::Kind kind) {
     return kind == NormalControl::Kind::force ? s.force : s.indentation;
@@ -50,44 +51,61 @@ struct AdhesiveCurve::Walk {
 AdhesiveCurve::AdhesiveCurve(Family family, double modulus, double work, double guess,
                              double largest_radius)
     : family_(std::move(family)), modulus_(modulus), work_(work), largest_(largest_radius) {
-    if (!(modulus > 0) || !(work > 0) || !(guess > 0) || !(largest_radius > 0))
-        throw std::domain_error("AdhesiveCurve: modulus, work and radii must be positive");
-    double touching = std::min(guess, largest_radius);
-    while (at(touching).indentation > 0) touching /= 2;
-    while (touching < largest_radius && at(touching).indentation <= 0) touching *= 2;
-    nodes_.push_back(at(least_radius * std::min(touching, largest_radius)));
+    branch_ = [family = family_, modulus, work](double radius) {
+        const DiscContact disc = family(radius);
+        return pulled(radius, disc, std::sqrt(2 * pi * radius * work / modulus) / disc.edge, work);
+    };
+    start(guess);
 }
 
-AdhesiveCurve::State AdhesiveCurve::at(double radius) const {
-    const DiscContact disc = family_(radius);
-    return pulled(radius, disc, std::sqrt(2 * pi * radius * work_ / modulus_) / disc.edge);
+AdhesiveCurve::AdhesiveCurve(Branch branch, double modulus, double work, double range, double guess,
+                             double largest_place)
+    : branch_(std::move(branch)),
+      modulus_(modulus),
+      work_(work),
+      largest_(largest_place),
+      range_(range) {
+    start(guess);
+}
+
+/// The least place lies before the bodies attract each other, where both controls fall.
+void AdhesiveCurve::start(double guess) {
+    if (!(modulus_ > 0) || !(work_ > 0) || !(guess > 0) || !(largest_ > 0))
+        throw std::domain_error("AdhesiveCurve: modulus, work and radii must be positive");
+    double touching = std::min(guess, largest_);
+    while (at(touching).indentation > 0) touching /= 2;
+    while (touching < largest_ && at(touching).indentation <= 0) touching *= 2;
+    double first = least_radius * std::min(touching, largest_);
+    for (int k = 0; k < most_halvings && at(first).indentation >= -range_; ++k) first /= 2;
+    nodes_.push_back(at(first));
+    begins_stable_ = range_ > 0 && nodes_.front().indentation >= -range_;
 }
 
 AdhesiveCurve::State AdhesiveCurve::held(double radius, const NormalControl& control) const {
     const DiscContact disc = family_(radius);
     const bool by_force = control.kind == Kind::force;
-    State s = pulled(radius, disc,
-                     by_force ? (disc.force - control.value) / disc.stiffness
-                              : disc.indentation - control.value);
+    State s = pulled(
+        radius, disc,
+        by_force ? (disc.force - control.value) / disc.stiffness : disc.indentation - control.value,
+        work_);
     (by_force ? s.force : s.indentation) = control.value;
     return s;
 }
 
 /// The body pressed to d_0 and the punch pulled back by l.
-AdhesiveCurve::State AdhesiveCurve::pulled(double radius, const DiscContact& disc, double l) {
-    return {.radius = radius,
+State AdhesiveCurve::pulled(double radius, const DiscContact& disc, double l, double work) {
+    return {.place = radius,
+            .radius = radius,
+            .reach = radius,
             .indentation = disc.indentation - l,
             .force = disc.force - disc.stiffness * l,
             .energy = disc.energy - l * (disc.force - disc.stiffness * l / 2),
+            .attraction = -work * pi * radius * radius,
             .detached = l};
 }
 
-double AdhesiveCurve::stored(const State& s) const {
-    return s.energy - work_ * pi * s.radius * s.radius;
-}
-
 void AdhesiveCurve::extend() {
-    const double last = nodes_.back().radius;
+    const double last = nodes_.back().place;
     if (last >= largest_)
         throw contact::InputError(fmt::format(
             "adhesion: the contact reaches the rim of the indenter's profile at {:.6g} m; reduce "
@@ -103,9 +121,9 @@ const AdhesiveCurve::State& AdhesiveCurve::node(int k) {
 
 AdhesiveCurve::State AdhesiveCurve::crossing(const State& from, const State& to, Kind kind,
                                              double level) const {
-    const auto excess = [&](double radius) { return value_of(at(radius), kind) - level; };
-    State found = at(contact::bracketed_root(excess, std::min(from.radius, to.radius),
-                                             std::max(from.radius, to.radius)));
+    const auto excess = [&](double place) { return value_of(at(place), kind) - level; };
+    State found = at(contact::bracketed_root(excess, std::min(from.place, to.place),
+                                             std::max(from.place, to.place)));
     // What is prescribed has no rounding of its own.
     (kind == Kind::force ? found.force : found.indentation) = level;
     return found;
@@ -116,8 +134,8 @@ AdhesiveCurve::State AdhesiveCurve::crossing(const State& from, const State& to,
 AdhesiveCurve::State AdhesiveCurve::limit_point(double first, double last, Kind kind,
                                                 int direction) const {
     constexpr double step = 1e-5;
-    const auto slope = [&](double radius) {
-        return value_of(at(radius * (1 + step)), kind) - value_of(at(radius * (1 - step)), kind);
+    const auto slope = [&](double place) {
+        return value_of(at(place * (1 + step)), kind) - value_of(at(place * (1 - step)), kind);
     };
     const double low = std::min(first, last), high = std::max(first, last);
     const double at_low = slope(low), at_high = slope(high);
@@ -127,17 +145,25 @@ AdhesiveCurve::State AdhesiveCurve::limit_point(double first, double last, Kind 
     return direction * (value_of(one, kind) - value_of(other, kind)) > 0 ? one : other;
 }
 
-/// Out of contact the bodies meet at d = 0, where F = 0.
+/// Out of contact the bodies meet at d = 0, where F = 0; with a range as far apart as that. Steep
+/// tips are attracted bit by bit, without a jump.
 void AdhesiveCurve::touch(Walk& walk) {
     const Kind kind = walk.control.kind;
+    const double level = meets_at(kind);
     walk.motion.state = {};
+    if (begins_stable_ && kind == Kind::indentation) {
+        const State& first = node(0);
+        walk.arrived = walk.control.value <= first.indentation;
+        walk.motion.state = walk.arrived ? State{.indentation = walk.control.value} : first;
+        return;
+    }
     int k = 1;
-    while (value_of(node(k), kind) < 0) ++k;
-    const State to = crossing(node(k - 1), node(k), kind, 0);
+    while (value_of(node(k), kind) < level) ++k;
+    const State to = crossing(node(k - 1), node(k), kind, level);
     walk.motion.released -= stored(to);
     ++walk.motion.jumps;
     walk.motion.state = to;
-    walk.arrived = walk.control.value == 0;
+    walk.arrived = walk.control.value == level;
 }
 
 void AdhesiveCurve::lose(Walk& walk) const {
@@ -147,8 +173,10 @@ void AdhesiveCurve::lose(Walk& walk) const {
             "N at most: pull less, or prescribe the indentation, which follows the contact to its "
             "end",
             walk.control.value, -walk.motion.state.force));
-    walk.motion.released += stored(walk.motion.state);
-    ++walk.motion.jumps;
+    if (!begins_stable_) {
+        walk.motion.released += stored(walk.motion.state);
+        ++walk.motion.jumps;
+    }
     walk.motion.state = {.indentation = walk.control.value};
     walk.arrived = true;
 }
@@ -161,7 +189,7 @@ void AdhesiveCurve::jump_from(Walk& walk, const State& limit, int next, int dire
     for (int k = next;; k += direction) {
         if (k < 0) return lose(walk);
         const State now = node(k);
-        if (direction * (value_of(now, kind) - level) > 0 && before.radius != limit.radius) {
+        if (direction * (value_of(now, kind) - level) > 0 && before.place != limit.place) {
             const State to = crossing(before, now, kind, level);
             const double by_force =
                 kind == Kind::force ? level * (to.indentation - limit.indentation) : 0;
@@ -182,9 +210,9 @@ void AdhesiveCurve::go(Walk& walk, int direction) {
     const double goal = direction * walk.control.value;
     State last = walk.motion.state;
     int k = 0;
-    while (node(k).radius <= last.radius * (1 + same_radius)) ++k;
+    while (node(k).place <= last.place * (1 + same_place)) ++k;
     if (direction < 0)
-        for (--k; k >= 0 && nodes_[k].radius >= last.radius * (1 - same_radius);) --k;
+        for (--k; k >= 0 && nodes_[k].place >= last.place * (1 - same_place);) --k;
     for (;; k += direction) {
         if (k < 0) return lose(walk);
         const State here = walk.motion.state, next = node(k);
@@ -195,7 +223,7 @@ void AdhesiveCurve::go(Walk& walk, int direction) {
             last = here;
             continue;
         }
-        const State limit = limit_point(last.radius, next.radius, kind, direction);
+        const State limit = limit_point(last.place, next.place, kind, direction);
         if (forward(limit) >= goal)
             return walk.arrive(crossing(last, limit, kind, walk.control.value));
         walk.move(limit);
@@ -205,10 +233,11 @@ void AdhesiveCurve::go(Walk& walk, int direction) {
 
 AdhesiveCurve::Motion AdhesiveCurve::follow(const State& from, const NormalControl& control) {
     Walk walk{control, {.state = from}};
-    if (!from.touches()) {
-        if (control.value < 0 && control.kind == Kind::indentation)
+    if (!(from.reach > 0)) {
+        const bool is_apart = control.value < meets_at(control.kind);
+        if (is_apart && control.kind == Kind::indentation)
             return {.state = {.indentation = control.value}};
-        if (control.value < 0) lose(walk);
+        if (is_apart) lose(walk);
         touch(walk);
     }
     while (!walk.arrived) {
@@ -230,20 +259,41 @@ bool AdhesiveCurve::reaches(const NormalControl& control) {
     }
 }
 
+int AdhesiveCurve::stable_states(const NormalControl& control) {
+    reaches(control);
+    int n = control.value < meets_at(control.kind);
+    for (std::size_t k = 1; k < nodes_.size(); ++k)
+        n += value_of(nodes_[k - 1], control.kind) <= control.value &&
+             control.value < value_of(nodes_[k], control.kind);
+    return n;
+}
+
+/// The state of least control that still touches: where the branch turns back, or the touch ends.
+AdhesiveCurve::State AdhesiveCurve::least_in_touch(Kind kind) {
+    std::size_t first = 0;
+    while (!nodes_[first].touches()) ++first;
+    std::size_t lowest = first;
+    for (std::size_t k = first; k < nodes_.size(); ++k)
+        if (value_of(nodes_[k], kind) < value_of(nodes_[lowest], kind)) lowest = k;
+    if (lowest == 0) return nodes_.front();
+    const State before = nodes_[lowest - 1], after = node(static_cast<int>(lowest) + 1);
+    if (before.touches()) return limit_point(before.place, after.place, kind, -1);
+    double apart = before.place, touching = nodes_[lowest].place;
+    for (int k = 0; k < contact::root_bits; ++k) {
+        const double middle = (apart + touching) / 2;
+        (at(middle).touches() ? touching : apart) = middle;
+    }
+    const State meeting = at(touching), limit = limit_point(touching, after.place, kind, -1);
+    return value_of(limit, kind) < value_of(meeting, kind) ? limit : meeting;
+}
+
 contact::PullOff AdhesiveCurve::pull_off() {
     if (!reaches({Kind::indentation, 0})) extend();  // throws
-    const auto least = [&](Kind kind) {
-        int lowest = 0;
-        for (int k = 1; k < static_cast<int>(nodes_.size()); ++k)
-            if (value_of(nodes_[k], kind) < value_of(nodes_[lowest], kind)) lowest = k;
-        if (lowest == 0) return nodes_.front();
-        return limit_point(nodes_[lowest - 1].radius, node(lowest + 1).radius, kind, -1);
-    };
-    const State pulled = least(Kind::force);
+    const State pulled = least_in_touch(Kind::force);
     return {.force = -pulled.force,
             .radius = pulled.radius,
             .indentation = pulled.indentation,
-            .last_indentation = least(Kind::indentation).indentation};
+            .last_indentation = least_in_touch(Kind::indentation).indentation};
 }
 
 AdhesiveCurve::Family half_space_contacts(const contact::AxisymmetricIndenter& body,

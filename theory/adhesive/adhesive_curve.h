@@ -41,14 +41,24 @@ class AdhesiveCurve {
     AdhesiveCurve(Family family, double modulus, double work, double guess, double largest_radius);
 
     struct State {
+        double place = 0;        ///< along the branch [m]; without a range a; 0: far apart
         double radius = 0;       ///< a [m]; 0: out of contact
+        double reach = 0;        ///< of the tension [m]; without a range a
         double indentation = 0;  ///< d [m]
         double force = 0;        ///< F [N]
         double energy = 0;       ///< elastic [J]
+        double attraction = 0;   ///< of the surfaces [J]: -w A without a range, 0 far apart
         double detached = 0;     ///< l [m]
         bool touches() const { return radius > 0; }
     };
-    State at(double radius) const;
+    /// States of surfaces that attract each other, by their place from 0 on.
+    using Branch = std::function<State(double place)>;
+    /// Of another law than a short range: `range` [m] is how far it reaches beyond the surface,
+    /// `guess` and `largest_place` places, as above.
+    AdhesiveCurve(Branch branch, double modulus, double work, double range, double guess,
+                  double largest_place);
+
+    State at(double place) const { return branch_(place); }
     /// The edge being held there, whatever its energy release rate.
     State held(double radius, const contact::NormalControl& control) const;
 
@@ -65,29 +75,38 @@ class AdhesiveCurve {
     bool reaches(const contact::NormalControl& control);
     /// Of a contact that is pulled from a wide one.
     contact::PullOff pull_off();
+    /// Stable states under a control, apart included; 1 where none other is.
+    int stable_states(const contact::NormalControl& control);
 
-    /// U - w A [J], what the work of the force changes where nothing jumps.
-    double stored(const State& s) const;
+    /// U and the attraction [J], what the work of the force changes where nothing jumps.
+    static double stored(const State& s) { return s.energy + s.attraction; }
     double work_of_adhesion() const { return work_; }
 
   private:
     using Kind = contact::NormalControl::Kind;
     struct Walk;
 
-    static State pulled(double radius, const DiscContact& disc, double l);
+    static State pulled(double radius, const DiscContact& disc, double l, double work);
+    /// Of a control [m, N]: below it nothing attracts.
+    double meets_at(Kind kind) const { return kind == Kind::force ? 0 : -range_; }
 
+    void start(double guess);
     void extend();
     const State& node(int k);
     State crossing(const State& below, const State& above, Kind kind, double level) const;
     State limit_point(double first, double last, Kind kind, int direction) const;
+    State least_in_touch(Kind kind);
     void touch(Walk& walk);
     void go(Walk& walk, int direction);
     void jump_from(Walk& walk, const State& limit, int next, int direction);
     void lose(Walk& walk) const;
 
-    Family family_;
+    Family family_;  // without a range
+    Branch branch_;
     double modulus_, work_, largest_;
-    std::vector<State> nodes_;  // at radii that grow by a constant factor
+    double range_ = 0;
+    bool begins_stable_ = false;  // the depth grows from the first place on
+    std::vector<State> nodes_;    // at places that grow by a constant factor
 };
 
 /// Contacts of a body of revolution, which shall outlive them, on an elastic half-space of the

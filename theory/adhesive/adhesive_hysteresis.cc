@@ -32,7 +32,7 @@ AdhesiveHysteresis::AdhesiveHysteresis(const AdhesiveCurve::Family& family, doub
 }
 
 double AdhesiveHysteresis::stored(const State& s) const {
-    return s.energy - approach_work_ * area_of(s);
+    return approach_ ? s.energy - approach_work_ * area_of(s) : AdhesiveCurve::stored(s);
 }
 
 AdhesiveHysteresis::Motion AdhesiveHysteresis::follow(const State& from,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "theory/adhesive/adhesive_curve.h"
 
@@ -21,11 +22,19 @@ class AdhesiveHysteresis {
     AdhesiveHysteresis(const AdhesiveCurve::Family& family, double modulus, double work,
                        double approach_work, double guess, double largest_radius);
 
+    /// One work of adhesion.
+    explicit AdhesiveHysteresis(AdhesiveCurve reversible)
+        : separation_(std::move(reversible)), approach_work_(separation_.work_of_adhesion()) {}
+
     bool is_reversible() const { return !approach_; }
     /// From a state to that under a control, slowly; `released` is what is lost in jumps and where
     /// the edge recedes, w - w_a per area [J].
     Motion follow(const State& from, const contact::NormalControl& control);
     bool reaches(const contact::NormalControl& control);
+    /// See AdhesiveCurve, of one work.
+    int stable_states(const contact::NormalControl& control) {
+        return separation_.stable_states(control);
+    }
     /// Of a contact that has been as wide as this and not wider [m]: a narrow one lets go at once
     /// where a wider one would shrink before.
     contact::PullOff pull_off(double widest);

@@ -54,5 +54,5 @@ model=fem-plane refused "fem-plane knows no surfaces that attract each other"
 refused "finite strains know no surfaces that attract each other" --set 'substrate.material="neo-hookean"'
 "$program" run "$case" --models fem "${elements[@]}" --set 'adhesion.range="1 nm"' --output short --quiet >text 2>&1 &&
     complain "a range of 1 nm is resolved"
-grep -q "less than two cells, or two thirds of elements" text || complain "short: $(cat text)"
+grep -q "less than two cells, or distances of nodes" text || complain "short: $(cat text)"
 finish

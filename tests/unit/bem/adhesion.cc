@@ -16,6 +16,7 @@
 #include "contact/larger_grids.h"
 #include "contact/run.h"
 #include "tests/unit/adhesive_ball.h"
+#include "tests/unit/adhesive_loop.h"
 #include "theory/adhesive/adhesive_curve.h"
 #include "theory/adhesive/adhesive_layer.h"
 #include "theory/adhesive/maugis_dugdale.h"
@@ -176,6 +177,22 @@ TEST(BemAdhesion, LosesTheEnergyOfItsJumpsAlone) {
     EXPECT_EQ(resumed->pull_off().value().force, off->force);
     EXPECT_LT(off->last_indentation, off->indentation);
     EXPECT_GT(off->last_indentation, -1.5 * ball.depth());
+}
+
+// What the steps of a run lose in its jumps is what the force works around the loop.
+TEST(BemAdhesion, LoopLosesItsWorkInJumps) {
+    const auto expect_closed = [](double lambda, double cells, bem::Body body) {
+        Ball ball(lambda, cells, 1);
+        if (body == bem::Body::layer) ball.c.layer.thickness = 2 * ball.radius();
+        const auto model = bem::make_model(ball.c, 1, body);
+        const auto [lost, work] = test::energy_of_loop(*model, ball, -2, 1);
+        EXPECT_GT(lost, .05 * ball.force() * ball.depth());
+        EXPECT_NEAR(lost / work, 1, 1e-3) << lambda;
+        EXPECT_TRUE(model->audit().passed());
+    };
+    expect_closed(0, 5, bem::Body::half_space);
+    expect_closed(1, 5, bem::Body::half_space);
+    expect_closed(0, 6, bem::Body::layer);
 }
 
 // Against the integral equation of the layer, from thick to thin ones: the contact under a force,

@@ -12,6 +12,7 @@
 #include "fem/case/section_model.h"
 #include "fem/settings.h"
 #include "tests/unit/adhesive_ball.h"
+#include "tests/unit/adhesive_loop.h"
 #include "theory/adhesive/adhesive_layer.h"
 #include "theory/adhesive/maugis_dugdale.h"
 
@@ -90,6 +91,16 @@ TEST_F(FemAdhesion, LosesNothingBetweenTheJumps) {
     EXPECT_LT(released, 3e-3 * stored);
     EXPECT_EQ(force_at(-1.5), 0);
     EXPECT_TRUE(model_->audit().passed());
+}
+
+// What the steps of a run lose in its jumps is what the force works around the loop; on a layer
+// thick enough to jump on coarse elements.
+TEST(FemAdhesiveLoop, LosesItsWorkInJumps) {
+    const AdhesiveBall ball = on_layer(6, 3);
+    const auto model = fem::make_model(ball.c, {});
+    const auto [lost, work] = test::energy_of_loop(*model, ball, -2, 1);
+    EXPECT_GT(lost, .05 * ball.force() * ball.depth());
+    EXPECT_NEAR(lost / work, 1, 1e-3);
 }
 
 // The fields for ParaView, of both halves of the surface.
@@ -175,6 +186,15 @@ TEST(SectionAdhesion, LiesOnMaugisCurveAndOnThatOfNoRange) {
     Section section(200, 40, .3);
     section.force_at(1);
     EXPECT_NEAR(section.model->pull_off().value().force / section.ball.force(), 1.5, .015);
+}
+
+TEST(SectionAdhesion, LoopLosesItsWorkInJumps) {
+    for (const double lambda : {0., 1.}) {
+        Section section(1, 16, .3, lambda);
+        const auto [lost, work] = test::energy_of_loop(*section.model, section.ball, -2, 1);
+        EXPECT_GT(lost, .05 * section.ball.force() * section.ball.depth());
+        EXPECT_NEAR(lost / work, 1, 1e-3) << lambda;
+    }
 }
 
 TEST(SectionAdhesion, ReturnsAlongItsWayAndTellsTensionAllAround) {

@@ -69,6 +69,27 @@ TEST(Adhesion, OnALayerIsThatOfTheLayer) {
     }
 }
 
+// Of a body that no closed form has, by runs that the caller made; of a ball that deforms on a
+// layer beside the half-space's.
+TEST(Adhesion, OfOtherBodiesIsThatOfRuns) {
+    Rig rig = sphere(40e-3, 21.1, 5.2e6, .05);
+    rig.attracted = {{.01, 4.55e-3, 4.5e-3}, {.02, 4.1e-3, 4e-3}};
+    const auto near = experiments::no_adhesion_of_body(rig);
+    EXPECT_EQ(near.standing(), Standing::holds);
+    EXPECT_NEAR(near.find("layer_pull_off_ratio")->result.value, .02 / 21.1, 1e-12);
+    EXPECT_NEAR(near.find("layer_adhesive_radius_change")->result.value, .025, 1e-12);
+    rig.attracted->layer.radius = 4.4e-3;
+    EXPECT_EQ(experiments::no_adhesion_of_body(rig).standing(), Standing::violated);
+    rig.E_1 = 3e6;
+    EXPECT_EQ(experiments::no_adhesion(rig).standing(), Standing::violated);
+    rig.attracted->why_none = "no body of revolution";
+    EXPECT_EQ(experiments::no_adhesion_of_body(rig).standing(), Standing::not_testable);
+    EXPECT_NE(experiments::no_adhesion(rig).consequence.find("no body of revolution"),
+              std::string::npos);
+    rig.attracted.reset();
+    EXPECT_EQ(experiments::no_adhesion_of_body(rig).standing(), Standing::not_testable);
+}
+
 TEST(Adhesion, WithoutItsWorkIsNotTestable) {
     Rig rig = sphere(40e-3, 21.1, 5.2e6, .05);
     rig.Dgamma = {};
