@@ -200,7 +200,7 @@ EvenLoads AdhesiveModel::loads() const {
 EvenLoads AdhesiveModel::with_ring(EvenLoads even) const {
     constexpr int n = 200;
     const double a = state_.radius, c = state_.reach,
-                 pull = state_.detached * parts_.springs->modulus() / std::sqrt(c * c - a * a);
+                 pull = state_.detached * parts_.springs->modulus() / std::sqrt((c - a) * (c + a));
     for (int i = 0; i <= n; ++i) {
         // Closer together where the root falls to 0.
         const double way = 1 - static_cast<double>(n - i) / n * (n - i) / n;
