@@ -42,6 +42,7 @@ constexpr std::size_t no_further = static_cast<std::size_t>(-1);
 // A process that took longer does not go on: what is left over of large tasks stays in none, and
 // its start costs nothing beside them.
 constexpr std::chrono::seconds short_life{1};
+constexpr std::chrono::milliseconds short_task{20};
 
 bool read_all(int fd, void* to, std::size_t n) {
     for (auto* at = static_cast<char*>(to); n > 0;) {
@@ -112,6 +113,7 @@ class Worker {
     /// The next task; without one it ends.
     void give(std::optional<std::size_t> task) {
         task_ = task;
+        given_ = Clock::now();
         const std::size_t i = task.value_or(no_further);
         ::send(fd_, &i, sizeof i, MSG_NOSIGNAL);  // one that has ended is seen by its end
     }
@@ -135,6 +137,7 @@ class Worker {
         return WorkerReport{.text = std::exchange(text_, {}).substr(sizeof head)};
     }
     bool goes_on() const { return goes_on_; }
+    auto time_at_task() const { return Clock::now() - given_; }
     // After its end: why the task it had came to nothing.
     WorkerReport failure() {
         const int status = wait();
@@ -155,14 +158,18 @@ class Worker {
         return status;
     }
 
+    using Clock = std::chrono::steady_clock;
+
     pid_t pid_ = -1;
     int fd_ = -1;
     std::optional<std::size_t> task_;
+    Clock::time_point given_;
     bool goes_on_ = true;
     std::string text_;
 };
 
-// What a worker has said: true if its process has ended.
+// What a worker has said: true if its process has ended. Short tasks follow each other at once;
+// what took longer is kept before anything follows it.
 bool hear(Worker& worker, const Done& done,
           const std::function<std::optional<std::size_t>()>& next) {
     if (!worker.read()) {
@@ -172,8 +179,10 @@ bool hear(Worker& worker, const Done& done,
     const auto task = worker.task();
     if (!task) return false;
     if (const auto report = worker.finished()) {
+        const bool was_short = worker.time_at_task() < short_task;
+        if (!was_short) done(*task, *report);
         if (worker.goes_on()) worker.give(next());
-        done(*task, *report);
+        if (was_short) done(*task, *report);
     }
     return false;
 }
