@@ -71,8 +71,8 @@ std::vector<CaseKey> model_keys() {
                     "tension over a ring of cells stands for it; \"cell\", of "
                     "adhesion.approach_work = 0: cells one by one under (E* w/(0.473201 h))^(1/2) "
                     "(Pohrt and Popov 2015), for bem alone",
-                    {.default_value = R"("ring")", .needs = "adhesion.approach_work"}),
-         kept<&contact::AdhesiveEdge::kind>},
+                    {.default_value = R"("ring")", .needs = "adhesion.work"}),
+         [](Case& c) { return c.adhesion ? kept<&contact::AdhesiveEdge::kind>(c) : Field(); }},
         {length_key("bem.period", R"("80 mm")",
                     "period of indenters and tractions in x and y, for bem-layer, and for "
                     "bem under nominally flat bodies; without it there is one indenter"),
