@@ -12,6 +12,8 @@
 #include "bem/periodic_compliance.h"
 #include "bem/settings.h"
 #include "bem/summed_compliance.h"
+#include "contact/attraction/adhesive_edge.h"
+#include "contact/base/error.h"
 #include "contact/bodies/body_shapes.h"
 #include "contact/cells.h"
 #include "contact/half_space_scales.h"
@@ -290,7 +292,13 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads
         body == Body::layer ? contact::models::bem_layer : contact::models::bem,
         *make_substrate(c, n_threads, body, 0, is_mirrored(c)), c.make_indenter(), c.friction.law(),
         c.of<Settings>().tolerance, c.contact);
-    if (c.adhesion) model->attract(c.adhesion->attraction(), c.materials().effective_modulus());
+    if (c.adhesion && body == Body::layer && c.of<contact::AdhesiveEdge>().is_by_cell())
+        throw contact::InputError(
+            "bem-layer: cells let go one by one by the criterion of a half-space alone; let the "
+            "edge be a ring");
+    if (c.adhesion)
+        model->attract(c.adhesion->attraction(), c.materials().effective_modulus(),
+                       c.of<contact::AdhesiveEdge>().is_by_cell());
     model->set_larger_grid([=, aside = 0.](const contact::ContactAtEdge& reached) mutable {
         aside = more_room(aside, reached);
         return make_substrate(c, n_threads, body, aside, is_mirrored(c));

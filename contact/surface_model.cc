@@ -78,11 +78,14 @@ SurfaceModel::SurfaceModel(std::string name, std::shared_ptr<const Compliance> c
 
 void SurfaceModel::make_solver() {
     solver_.emplace(name_, *substrate_, *indenter_, friction_, tolerance_, options_);
-    if (attracted_) solver_->attract(attraction_on(points(), attracted_->law, attracted_->modulus));
+    if (attracted_)
+        solver_->attract((attracted_->by_cell
+                              ? attraction_by_cell(points(), attracted_->law, attracted_->modulus)
+                              : attraction_on(points(), attracted_->law, attracted_->modulus)));
 }
 
-void SurfaceModel::attract(const AttractionLaw& law, double modulus) {
-    attracted_ = {law, modulus};
+void SurfaceModel::attract(const AttractionLaw& law, double modulus, bool by_cell) {
+    attracted_ = {law, modulus, by_cell};
     make_solver();
     release();
 }
@@ -91,7 +94,7 @@ std::unique_ptr<Model> SurfaceModel::sibling(const Case::Contact& options) const
     auto other = std::make_unique<SurfaceModel>(name_, *substrate_, indenter_, friction_,
                                                 tolerance_, options);
     other->set_larger_grid(larger_grid_);
-    if (attracted_) other->attract(attracted_->law, attracted_->modulus);
+    if (attracted_) other->attract(attracted_->law, attracted_->modulus, attracted_->by_cell);
     return other;
 }
 
@@ -136,7 +139,10 @@ StepRecord SurfaceModel::take(const LoadStep& step, const StepStart& before) {
     bulk_ = step.bulk;
     solver_->solve(step, before);
     const NormalSolution& normal = *now().normal;
-    if (reaches_edge(points(), normal.attracts() ? normal.tension : normal.pressure))
+    const bool by_cell = attracted_ && attracted_->by_cell;
+    if (reaches_edge(points(), by_cell             ? normal.share
+                               : normal.attracts() ? normal.tension
+                                                   : normal.pressure))
         throw ContactAtEdge(fmt::format(
             "{}: the contact reaches the edge of the meshed contact patch at phase {:.4g}", name_,
             step.phase));

@@ -39,8 +39,9 @@ class SurfaceModel final : public Model, public Wearable {
     void set_larger_grid(LargerGrid larger) { larger_grid_ = std::move(larger); }
 
     /// The surfaces attract each other from now on, at rest, see StaggeredSolver.
-    /// `modulus`: E* of the pair [Pa]. Throws InputError as attraction_on().
-    void attract(const AttractionLaw& law, double modulus);
+    /// `modulus`: E* of the pair [Pa]. Throws InputError as attraction_on(), or
+    /// attraction_by_cell().
+    void attract(const AttractionLaw& law, double modulus, bool by_cell = false);
 
     std::string name() const override { return name_; }
     double step_accuracy() const override { return tolerance_; }
@@ -123,6 +124,7 @@ class SurfaceModel final : public Model, public Wearable {
     struct Attracted {
         AttractionLaw law;
         double modulus;  // [Pa]
+        bool by_cell;
     };
     std::optional<Attracted> attracted_;
     static constexpr NormalControl not_pressed{NormalControl::Kind::force, -infinity};

@@ -98,6 +98,8 @@ std::optional<LettingGo> SurfaceModel::let_go() const {
                               std::max(tolerance_, pull_off_tolerance));
     };
     const std::vector<double>& height = solver_->coupling().bare_height();
+    if (attracted_->by_cell)
+        return contact::pull_off(*solver_->adhesive(), points(), height, hardest_);
     if (!solver_->adhesive()->attraction().is_short_ranged)
         return contact::pull_off(solver(points_without_range), points(), height, hardest_);
     return pull_off_without_range(solver(narrow_zone), solver(wide_zone), points(), height,

@@ -8,7 +8,7 @@
 
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
-#include "contact/solvers/friction_disc.h"
+#include "contact/friction/friction_disc.h"
 #include "contact/substrates/substrate.h"
 
 // Bounds b(s) that follow from the slip: a slipping point has |t| = b(s) in place of a given bound.

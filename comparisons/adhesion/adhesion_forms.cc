@@ -4,6 +4,7 @@
 #include <memory>
 #include <numbers>
 
+#include "contact/attraction/adhesive_edge.h"
 #include "contact/base/special_values.h"
 #include "contact/bodies/body_shapes.h"
 #include "contact/half_space_scales.h"
@@ -170,6 +171,11 @@ std::vector<std::string> adhesion_sentences(const Case& c) {
         std::vector<std::string> of_edge{
             "Adhesion has no range: the edge of the contact lets go as a crack grows (Johnson, "
             "Kendall and Roberts)."};
+        if (c.of<contact::AdhesiveEdge>().is_by_cell())
+            of_edge.emplace_back(
+                "In bem cells let go one by one (Pohrt and Popov 2015): rows of them hold the "
+                "edge, "
+                "so that pull-off takes about 1.4 over the cells in its radius more.");
         if (!c.adhesion->is_reversible())
             of_edge.push_back("Separation takes " + report::quantity(c.adhesion->work, "J/m^2") +
                               " and the approach gains " +

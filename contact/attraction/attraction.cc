@@ -17,6 +17,11 @@ namespace {
 /// Of tensions, over sigma_0: an exponential law ends where it has fallen to that.
 constexpr double no_tension = 1e-7;
 
+/// A square of the side h under the tension sigma is displaced by 2 x this sigma h/E* in the mean.
+constexpr double of_square = .473201;
+/// Gaps of cells that touch, but for the solver, over w/sigma_0.
+constexpr double touching = 1e-3;
+
 /// The front of a tension crosses the whole circle of a ring at once, and no place of it is ahead
 /// of others: it is held by single rings unless it is wider. On 16 to 47 elements per radius forces
 /// of pull-off scatter by 2, 1 and .3 % where the tension acts over 4, 6 and 8 rings.
@@ -55,6 +60,7 @@ double Attraction::tension(double gap, double width) const {
 double Attraction::energy(double gap, double width) const {
     if (!std::isfinite(gap)) return 0;
     gap = std::max(gap, 0.);
+    if (is_by_cell) return gap < touching * distance ? -work() : 0;
     if (decays) return -work() * std::exp(-gap / distance);
     width = std::min(width, 2 * distance);
     const double left = distance - gap;
@@ -94,6 +100,19 @@ Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, 
             .distance = law.distance,
             .decays = law.decays,
             .is_short_ranged = false};
+}
+
+// A cell that lets go sets free at most what it would as the only one under its tension, of_square
+// sigma^2 h^3/E*: that is w h^2 (Griffith's balance).
+Attraction attraction_by_cell(const ContactPoints& points, const AttractionLaw& law,
+                              double modulus) {
+    const double side = points.spacing[0];
+    if (law.distance != 0 || points.n_x == 0 || std::abs(points.spacing[1] - side) > 1e-9 * side)
+        throw InputError(
+            "adhesion: cells let go one by one on grids of squares alone, without a range; let "
+            "the edge be a ring");
+    const double strength = std::sqrt(modulus * law.work / (of_square * side));
+    return {.strength = strength, .distance = law.work / strength, .is_by_cell = true};
 }
 
 double GapWidths::at(std::span<const double> gap, int i, int j) const {

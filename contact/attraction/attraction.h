@@ -20,6 +20,9 @@ struct Attraction {
     bool decays = false;  ///< sigma_0 exp(-g/distance), else sigma_0 up to the distance
     /// sigma_0 was chosen for the points, in place of range 0: sigma_0 (1 - (g/distance)^2)^2.
     bool is_short_ranged = false;
+    /// Range 0 by cells that let go one by one under sigma_0, see CellAdhesion; `distance` is w
+    /// over it.
+    bool is_by_cell = false;
 
     /// w [J/m^2].
     double work() const { return strength * distance * (is_short_ranged ? smooth_work : 1); }
@@ -44,6 +47,11 @@ inline constexpr double least_points_of_range = 2;
 /// over fewer than two.
 Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, double modulus,
                          double wide = points_without_range);
+
+/// Of a law without a range on the square cells of a half-space, that let go one by one. Throws
+/// InputError of other laws and points.
+Attraction attraction_by_cell(const ContactPoints& points, const AttractionLaw& law,
+                              double modulus);
 
 /// By how much the gap differs across the surface of each point. A tension that ends at a gap ends
 /// within a point's surface: counted by whole points the edge of the tension would be as rough as

@@ -104,6 +104,7 @@ AdhesiveNormal::AdhesiveNormal(std::string name, const Compliance& compliance,
       widths_(compliance.points()),
       exact_(compliance, .1 * tolerance) {
     if (ContactShare::is_known(compliance.points())) share_.emplace(compliance.points());
+    if (attraction.is_by_cell) cells_.emplace(name_, compliance, attraction, tolerance);
     if (are_radii(compliance.points())) rings_.emplace(compliance.points());
 }
 
@@ -169,6 +170,7 @@ void AdhesiveNormal::update_tension(Iterate& now) const {
 NormalSolution AdhesiveNormal::settle(const std::vector<double>& height,
                                       const NormalControl& control,
                                       const NormalSolution& before) const {
+    if (cells_) return cells_->follow(height, control, before);
     const std::size_t n = height.size();
     Iterate now;
     now.width.assign(n, 0);
@@ -255,6 +257,7 @@ bool AdhesiveNormal::has_other_state(const std::vector<double>& height,
     const auto are_together = [](const NormalSolution& s) {
         return std::ranges::any_of(s.share, [](double part) { return part > 0; });
     };
+    if (cells_) return true;  // how wide the contact has been decides
     try {
         if (are_together(now)) return !are_together(settle(height, control, {}));
         const NormalSolution met = settle(height, {control.kind, 0}, {});

@@ -6,6 +6,7 @@
 
 #include "contact/attraction/attraction.h"
 #include "contact/attraction/ring_tension.h"
+#include "contact/solvers/cell_adhesion.h"
 #include "contact/solvers/contact_share.h"
 #include "contact/solvers/normal_solver.h"
 
@@ -21,6 +22,8 @@ class AdhesiveNormal {
                    double tolerance);
 
     const Attraction& attraction() const { return attraction_; }
+    /// Null unless cells let go one by one.
+    const CellAdhesion* by_cell() const { return cells_ ? &*cells_ : nullptr; }
     /// The stable state to which `before` goes over when the control changes monotonically to this
     /// one; `before` without a tension: no attraction at all. Heights as those of NormalSolver.
     /// NormalSolution::released tells what is set free on the way, bisected where something jumps.
@@ -60,6 +63,7 @@ class AdhesiveNormal {
     GapWidths widths_;
     std::optional<RingTension> rings_;  // of a contact of revolution, in place of widths
     std::optional<ContactShare> share_;
+    std::optional<CellAdhesion> cells_;
     NormalSolver exact_;
 };
 

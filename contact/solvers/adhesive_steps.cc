@@ -95,7 +95,7 @@ NormalSolution AdhesiveNormal::resolve(const std::vector<double>& height, const 
 NormalSolution AdhesiveNormal::follow(const std::vector<double>& height,
                                       const NormalControl& control,
                                       const NormalSolution& before) const {
-    if (!before.attracts()) return settle(height, control, before);
+    if (cells_ || !before.attracts()) return settle(height, control, before);
     const bool by_force = control.kind == NormalControl::Kind::force;
     return resolve(height, {control.kind, by_force ? before.force : before.indentation}, control,
                    before, settle(height, control, before), 0);

@@ -141,6 +141,12 @@ std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoi
         return 2 * radius >= fewest_across * points.spacing[0];
     };
     if (!still_touches(now) || !is_resolved(shared_radius(points, now.share))) return {};
+    if (const CellAdhesion* const cells = solver.by_cell()) {
+        const auto [least, last] = cells->pull(height, now);
+        const double radius = shared_radius(points, least.share);
+        if (!is_resolved(radius)) return {};
+        return LettingGo{-least.force, radius, least.indentation, last};
+    }
     const double area = shared_area(points, now.share), work = solver.attraction().work();
     // F d of a contact as stiff as this, whose mean displacement under its tension is u.
     double pull = 0, reach = 0;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "contact/compliances/compliance.h"
+#include "contact/friction/friction_disc.h"
 #include "contact/solvers/control.h"
-#include "contact/solvers/friction_disc.h"
 #include "contact/solvers/tangential_system.h"
 
 // The problem: docs/explanation/models/common.md, "What is solved in a step". Coulomb's law is one

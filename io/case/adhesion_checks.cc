@@ -1,3 +1,9 @@
+#include <algorithm>
+#include <string>
+
+#include "bem/settings.h"
+#include "contact/attraction/adhesive_edge.h"
+#include "contact/cells.h"
 #include "contact/rig_stiffness.h"
 #include "contact/substrates/normal_tangential.h"
 #include "contact/wearing_contact.h"
@@ -28,10 +34,14 @@ void check_adhesive_model(const std::string& model, const Case& c, const Documen
                    "of a range the springs of " + model + " know a constant tension alone",
                    "leave out " + model + R"(, or take law = "dugdale")");
     }
-    if (!kind.is_on_line() && !c.adhesion->is_reversible())
+    const bool is_of_cells = kind.is_on_cells_of(ModelKind::Body::half_space),
+               by_cell = is_of_cells && c.of<contact::AdhesiveEdge>().is_by_cell();
+    if (!kind.is_on_line() && !by_cell && !c.adhesion->is_reversible())
         refuse(document, "adhesion.approach_work",
                model + " knows one work of adhesion for approach and separation",
-               "take mdr or mdr-layer, or omit it");
+               is_of_cells && *c.adhesion->approach_work == 0
+                   ? R"(take mdr, mdr-layer or bem.adhesive_edge = "cell", or omit it)"
+                   : "take mdr or mdr-layer, or omit it");
     if (kind.couples && c.contact.coupling &&
         (!kind.is_half_space() || contact::half_spaces_couple(c.materials())))
         refuse(document, key,
@@ -49,6 +59,34 @@ void check_works(const Case& c, const Document& document) {
     if (!adhesion.is_reversible() && !adhesion.is_short_ranged())
         refuse(document, key, "with a range one work of adhesion is computed",
                "omit it, or the range");
+}
+
+/// Cells that let go one by one.
+void check_edge_of_cells(const Case& c, const Document& document) {
+    if (!c.of<contact::AdhesiveEdge>().is_by_cell()) return;
+    const auto demand = [&](bool holds, const char* rule, const std::string& remedy) {
+        if (!holds) refuse(document, "bem.adhesive_edge", rule, remedy + R"(, or take "ring")");
+    };
+    const auto count = [&](ModelKind::Body body) {
+        return std::ranges::count_if(c.models, [&](const std::string& model) {
+            return contact::model_kind(model).is_on_cells_of(body);
+        });
+    };
+    demand(count(ModelKind::Body::layer) == 0,
+           "the criterion is that of cells of a half-space, which bem-layer has not",
+           "leave out bem-layer");
+    demand(count(ModelKind::Body::half_space) > 0, "it is bem that has cells of a half-space",
+           "add bem to the models");
+    demand(c.adhesion->approach_work == 0.,
+           "cells that let go one by one gain nothing by the approach",
+           R"(set adhesion.approach_work = "0 J/m2")");
+    demand(c.is_pressed_only(), "cells that let go one by one carry no friction and do not roll",
+           "set load.tangential_ratio = 0 and omit rolling and shifts");
+    demand(!c.is_cylindrical() && !c.period && c.of<contact::Cells>().ratio.value_or(1) == 1,
+           "the criterion is that of square cells under a body of finite size, on no period",
+           "press such a body, and omit bem.cell_ratio");
+    demand(!c.of<bem::Settings>().influence,
+           "the criterion knows the influence coefficients of a half-space", "omit bem.influence");
 }
 
 /// Tangential loads, shifts and rolling.
@@ -107,6 +145,7 @@ void check_adhesion(const Case& c, const Document& document) {
         refuse(document, rig->normal ? "rig.normal_stiffness" : "rig.tangential_stiffness",
                "where a rig yields the place of the jumps is not computed",
                "prescribe what the contact feels, or " + omit_adhesion);
+    check_edge_of_cells(c, document);
     for (const std::string& model : c.models) check_adhesive_model(model, c, document);
 }
 

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "bem/settings.h"
+#include "contact/attraction/adhesive_edge.h"
 #include "contact/cells.h"
 #include "contact/models/model_kind.h"
 #include "fem/settings.h"
@@ -62,6 +63,16 @@ std::vector<CaseKey> model_keys() {
                   "file of influence coefficients to be used instead of those of the "
                   "program's own bodies"),
          kept<&Boundary::influence>},
+        {choice_key("bem.adhesive_edge",
+                    {choice("ring", contact::AdhesiveEdge::Kind::ring),
+                     choice("cell", contact::AdhesiveEdge::Kind::cell)},
+                    R"("cell")",
+                    "how the edge of a contact that adheres without a range lets go: \"ring\": a "
+                    "tension over a ring of cells stands for it; \"cell\", of "
+                    "adhesion.approach_work = 0: cells one by one under (E* w/(0.473201 h))^(1/2) "
+                    "(Pohrt and Popov 2015), for bem alone",
+                    {.default_value = R"("ring")", .needs = "adhesion.work"}),
+         [](Case& c) { return c.adhesion ? kept<&contact::AdhesiveEdge::kind>(c) : Field(); }},
         {length_key("bem.period", R"("80 mm")",
                     "period of indenters and tractions in x and y, for bem-layer, and for "
                     "bem under nominally flat bodies; without it there is one indenter"),

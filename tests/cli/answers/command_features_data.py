@@ -168,7 +168,7 @@ features = [
     feature("yield stresses", "substrate.yield_stress indenter.yield_stress", "yield_stress|strength", {}, {"substrate.yield_stress": '"1 MPa"'}),
     feature("springs of the interface", "interface.normal_stiffness interface.tangential_stiffness", "interface", {},
             {"interface.normal_stiffness": '"20 MPa/mm"', "interface.tangential_stiffness": '"10 MPa/mm"'}),
-    feature("adhesion", "adhesion.*", "adhesion|attract|contact.coupling|[adhesion]|rolling|[rolling]", {**still}, {**still, "adhesion.work": '"0.5 J/m2"'},
+    feature("adhesion", "adhesion.* bem.adhesive_edge", "adhesion|attract|contact.coupling|[adhesion]|rolling|[rolling]", {**still}, {**still, "adhesion.work": '"0.5 J/m2"'},
             over_for={"identify": {"load.*": None, "substrate.thickness": None, "measurement.static_shift": None, "measurement.models": '["half-space"]',
                                    "measurement.force_indentation": '"curve.csv"'}}),
     feature("adhesion with hysteresis", "adhesion.approach_work", "adhesion|attract|approach|contact.coupling|[adhesion]|rolling|[rolling]",

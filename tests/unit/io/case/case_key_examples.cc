@@ -68,6 +68,7 @@ std::string case_of(std::string_view path) {
         {"rig", "path_twist"},
         {"wear", "fretting_wear"},
         {"adhesion", "adhesive_sphere"},
+        {"bem.adhesive_edge", "adhesive_sphere"},
         {"friction.rate", "rolling_falling_friction"},
         {"friction.weakening", "path_weakening"},
         {"interface.hardening", "path_forces"},
@@ -101,6 +102,9 @@ TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
             if (key.path == "adhesion.range" || key.path == "adhesion.peak_stress" ||
                 key.path == "adhesion.law")
                 overrides.emplace_back(R"(models=["bem"])");
+            if (key.path == "bem.adhesive_edge")
+                for (const char* one : {R"(models=["bem"])", R"(adhesion.approach_work="0 J/m2")"})
+                    overrides.emplace_back(one);
             if (key.path == "adhesion.law") overrides.emplace_back(R"(adhesion.range="1 um")");
             if (key.path == "indenter.height")
                 for (const char* one :
