@@ -25,6 +25,21 @@ bool is_row(const Surface& s) {
     return s.layout == Surface::Layout::grid && s.n_y == 1 && s.spacing[1] > 0;
 }
 
+std::vector<double> grid_of(const Surface& s) {
+    return {static_cast<double>(s.n_x),
+            static_cast<double>(s.n_y),
+            s.first[0],
+            s.first[1],
+            s.spacing[0],
+            s.spacing[1]};
+}
+
+const char* layout_of_points(const Surface& s) {
+    return s.layout == Surface::Layout::nodes  ? "nodes"
+           : s.layout == Surface::Layout::line ? "line"
+                                               : "grid";
+}
+
 std::string name_in_file(std::string_view name) {
     return name == "displacement_m" ? "elastic_displacement_m" : std::string(name);
 }
@@ -131,14 +146,9 @@ void ExodusFields::add_bytes(std::string_view name, std::span<const std::uint8_t
 
 ExodusMesh mesh_of(const Surface& s) {
     ExodusMesh mesh;
-    mesh.grid = {static_cast<double>(s.n_x),
-                 static_cast<double>(s.n_y),
-                 s.first[0],
-                 s.first[1],
-                 s.spacing[0],
-                 s.spacing[1]};
+    mesh.grid = grid_of(s);
+    mesh.layout = layout_of_points(s);
     if (s.layout == Surface::Layout::nodes) {
-        mesh.layout = "nodes";
         ExodusBlock block{.name = "surface", .element = "QUAD9", .nodes_per_element = 9};
         for (std::size_t i = 0; i < s.size(); ++i)
             mesh.points.push_back({s.node_x[i], s.node_y.at(i), 0.});
@@ -147,7 +157,6 @@ ExodusMesh mesh_of(const Surface& s) {
         mesh.blocks.push_back(std::move(block));
         return mesh;
     }
-    mesh.layout = s.layout == Surface::Layout::line ? "line" : "grid";
     const double before = is_row(s) ? s.spacing[1] / 2 : 0;
     for (int copy = 0; copy < (is_row(s) ? 2 : 1); ++copy)
         for (int j = 0; j < s.n_y; ++j)
@@ -155,6 +164,11 @@ ExodusMesh mesh_of(const Surface& s) {
                 mesh.points.push_back({s.x(i), s.y(j) + (2 * copy - 1) * before, 0.});
     mesh.blocks = {s.n_y > 1 || is_row(s) ? quads(s.n_x, is_row(s) ? 2 : s.n_y) : bars(s.n_x)};
     return mesh;
+}
+
+bool is_grid_of(const ExodusMesh& mesh, const Surface& s) {
+    return s.layout != Surface::Layout::nodes && mesh.layout == layout_of_points(s) &&
+           mesh.grid == grid_of(s);
 }
 
 ExodusMesh mesh_of(const Interior& interior) {
