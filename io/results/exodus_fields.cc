@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <stdexcept>
 
 #include "contact/compliances/interior_parts.h"
@@ -86,12 +87,16 @@ std::vector<Value> by_blocks(const Interior& interior, const std::vector<Value>&
 template <class Value>
 void ExodusFields::add_component(const std::string& name, std::size_t n, const Value& value) {
     std::string bytes(n * sizeof(float), '\0');
-    bool is_zero = true;
+    // Both local: stores of bytes could change anything else, and lanes would not be used.
+    const Value value_at = value;
+    char* const to = bytes.data();
+    std::uint32_t any = 0;  // bits but the sign
     for (std::size_t i = 0; i < n; ++i) {
-        const auto single = static_cast<float>(value(i));
-        is_zero = is_zero && single == 0;
-        put_big_endian(single, bytes.data() + i * sizeof(float));
+        const auto single = static_cast<float>(value_at(i));
+        any |= std::bit_cast<std::uint32_t>(single) << 1;
+        put_big_endian(single, to + i * sizeof(float));
     }
+    const bool is_zero = any == 0;
     if (is_zero) bytes.assign(n, '\0');
     const std::size_t once = bytes.size();
     for (int i = 1; i < copies_; ++i) bytes.append(bytes, 0, once);
@@ -102,7 +107,7 @@ void ExodusFields::add_scalar(std::string_view name, std::span<const double> val
                               std::size_t n) {
     if (values.empty()) return;
     check_number(name, values.size(), n);
-    add_component(std::string(name), n, [&](std::size_t i) { return values[i]; });
+    add_component(std::string(name), n, [at = values.data()](std::size_t i) { return at[i]; });
 }
 
 void ExodusFields::add_vector(std::string_view name,
@@ -112,9 +117,13 @@ void ExodusFields::add_vector(std::string_view name,
     for (std::size_t d = 0; d < 3; ++d) {
         const std::span<const double> values = components.at(d);
         if (!values.empty()) check_number(name, values.size(), n);
-        add_component(name_in_file(name) + ends.at(d), n, [&](std::size_t i) {
-            return values.empty() ? 0. : (d == 2 ? z_sign : 1) * values[i];
-        });
+        const double sign = d == 2 ? z_sign : 1;
+        if (values.empty())
+            fields_.push_back({name_in_file(name) + ends.at(d), true, is_of_elements_,
+                               std::string(n * static_cast<std::size_t>(copies_), '\0')});
+        else
+            add_component(name_in_file(name) + ends.at(d), n,
+                          [sign, at = values.data()](std::size_t i) { return sign * at[i]; });
     }
 }
 
