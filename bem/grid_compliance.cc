@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "bem/grid_symbols.h"
 #include "bem/mirrored_convolution.h"
 #include "bem/plane_layer_influence.h"
 #include "contact/base/error.h"
@@ -34,23 +35,8 @@ namespace {
 /// Below this many cells normal contact takes less time than it is worth to shorten.
 constexpr std::size_t cells_worth_levels = 100000;
 
-/// A window on the grid pays where its transforms are this much smaller, and few of them do.
+/// A window on the grid pays where its transforms are this much smaller.
 constexpr double window_worth = .8;
-constexpr std::size_t most_windows = 8;
-
-/// Of the plane: a mirrored grid's, with the other side of y = 0.
-int all_rows(const contact::ContactPoints& grid, int n_y) {
-    return grid.mirrored ? 2 * n_y - 1 : n_y;
-}
-
-int padded(int n) {
-    return good_complex_fft_size(2 * n - 1);
-}
-
-/// Relative positions of i >= 0 cells on a padded grid along one side.
-int positions(int n) {
-    return good_fft_size(2 * n - 1) / 2 + 1;
-}
 
 /// Of the products on a grid.
 int row_period(const contact::ContactPoints& grid, int n) {
@@ -105,11 +91,6 @@ class ConvolvedOperator final : public contact::ActiveOperator {
 
 }  // namespace
 
-int n_threads_worth(std::size_t n_cells, int n_threads) {
-    constexpr std::size_t worth_threads = 100000;  // below, one costs more than it brings
-    return n_cells < worth_threads ? 1 : n_threads;
-}
-
 const contact::NormalGrid* ConvolvedCompliance::normal_grid() const {
     if (grid_.mirrored || grid_.size() < cells_worth_levels) return nullptr;
     return products_->normal_grid(grid_.area[0]);
@@ -135,82 +116,27 @@ void ConvolvedCompliance::normal_from_tangential(const contact::TangentialField&
 
 GridCompliance::GridCompliance(CellInfluence influence, contact::ContactPoints grid, bool coupled,
                                int n_threads, const contact::Interface& interface)
-    : ConvolvedCompliance(std::move(grid), coupled, n_threads),
-      quadrants_(on_interface(std::move(influence), interface), positions(grid_.n_x),
-                 positions(all_rows(grid_, grid_.n_y)), grid_.spacing, n_threads_) {
+    : ConvolvedCompliance(std::move(grid), coupled, n_threads) {
+    take(
+        std::make_shared<const GridSymbols>(on_interface(std::move(influence), interface), shape()),
+        interface);
+}
+
+GridCompliance::GridCompliance(const contact::MaterialPair& materials, contact::ContactPoints grid,
+                               int n_threads, const contact::Interface& interface)
+    : ConvolvedCompliance(std::move(grid), bem::is_coupled(materials), n_threads) {
+    take(half_space_symbols(materials, interface, shape()), interface);
+}
+
+GridShape GridCompliance::shape() const {
+    return {grid_.n_x, grid_.n_y, grid_.spacing, grid_.mirrored, coupled_, n_threads_};
+}
+
+void GridCompliance::take(std::shared_ptr<const GridSymbols> symbols,
+                          const contact::Interface& interface) {
     grid_.on_springs = interface.is_elastic();
-    const Size whole{grid_.n_x, grid_.n_y};
-    products_ = grid_.mirrored ? make_products<MirroredConvolution>(whole, false)
-                               : make_products<GridConvolution>(whole, false);
-}
-
-const std::vector<Quadrants::Quadrant>& GridCompliance::tangential_quadrants() const {
-    using K = InfluenceCoefficients;
-    if (tangential_quadrants_.empty()) {
-        std::vector<Quadrants::Coefficient> which{&K::xx, &K::xy, &K::yy};
-        if (coupled_) which.insert(which.end(), {&K::xz, &K::yz});
-        tangential_quadrants_ = quadrants_.of(which);
-    }
-    return tangential_quadrants_;
-}
-
-/// Kept for the windows, whose number grows with the contact.
-GridConvolution::Symbol GridCompliance::normal_symbol(const auto& convolution) const {
-    if (normal_quadrant_.empty())
-        normal_quadrant_ = std::move(quadrants_.of({&InfluenceCoefficients::zz})[0]);
-    return quadrants_.symbol(convolution, normal_quadrant_, 1, 1);
-}
-
-// A normal contact alone needs K_zz, half of the memory; the other symbols are made when friction
-// asks for them (`rest`).
-/// On the grid or a window on it.
-template <class Convolution>
-std::unique_ptr<const ConvolvedProducts> GridCompliance::make_products(const Size& size,
-                                                                       bool is_window) const {
-    const auto [n_x, n_y] = size;
-    const int n_all = all_rows(grid_, n_y);
-    const int n_threads = n_threads_worth(static_cast<std::size_t>(n_x) * n_y, n_threads_);
-    Convolution linear(n_x, n_y, Convolution::row_period(2 * n_x - 1), padded(n_all), n_threads);
-    Convolution periodic(n_x, n_y, Convolution::row_period(n_x), good_complex_fft_size(n_all),
-                         n_threads);
-    auto rest = [this, is_window](const Convolution& convolution, const Convolution& bare) {
-        const auto& k = tangential_quadrants();
-        auto symbol2 = [&](const Convolution& by) {
-            return GridConvolution::Symbol2{quadrants_.symbol(by, k[0], 1, 1),
-                                            quadrants_.symbol(by, k[1], -1, -1),
-                                            quadrants_.symbol(by, k[2], 1, 1)};
-        };
-        TangentialSymbols made{.tangential = symbol2(convolution),
-                               .inverse = inverse(symbol2(bare), bare.n_threads())};
-        if (!coupled_ || is_window) return made;
-        made.from_normal_x = quadrants_.symbol(convolution, k[3], -1, 1);
-        made.from_normal_y = quadrants_.symbol(convolution, k[4], 1, -1);
-        return made;
-    };
-    if (!is_window) {
-        auto normal = normal_symbol(linear);
-        if (grid_.size() >= cells_worth_levels) normal_quadrant_ = {};  // windows are few there
-        return std::make_unique<ProductsBy<Convolution>>(std::move(linear), std::move(periodic),
-                                                         std::move(normal), std::move(rest));
-    }
-    auto normal = [this](const Convolution& convolution, const Convolution& bare) {
-        const GridConvolution::Symbol periodic_normal = normal_symbol(bare);
-        const GridConvolution::Symbol none(periodic_normal.size(), 0);
-        return NormalSymbols{
-            normal_symbol(convolution),
-            inverse({periodic_normal, none, periodic_normal}, bare.n_threads()).xx};
-    };
-    return std::make_unique<ProductsBy<Convolution>>(std::move(linear), std::move(periodic),
-                                                     std::move(normal), std::move(rest));
-}
-
-std::shared_ptr<const ConvolvedProducts> GridCompliance::window(const Size& size) const {
-    if (windows_.size() >= most_windows && !windows_.contains(size)) windows_.clear();
-    auto& products = windows_[size];
-    if (!products)
-        products = grid_.mirrored ? make_products<MirroredConvolution>(size, true)
-                                  : make_products<GridConvolution>(size, true);
-    return products;
+    products_ = {symbols, &symbols->whole()};
+    symbols_ = std::move(symbols);
 }
 
 // A window's period is rounded up to a good length of transforms, and its cells to all that this
@@ -227,12 +153,12 @@ std::unique_ptr<const contact::ActiveOperator> GridCompliance::among(
     }
     if (grid_.mirrored) low_y = 0;
     const int period_x = row_period(grid_, 2 * (high_x - low_x) + 1);
-    const int period_y = padded(all_rows(grid_, high_y - low_y + 1));
+    const int period_y = padded(all_rows(grid_.mirrored, high_y - low_y + 1));
     const int n_y = cells_in(period_y);
-    const Size size{cells_in(period_x), grid_.mirrored ? (n_y + 1) / 2 : n_y};
+    const GridSymbols::Size size{cells_in(period_x), grid_.mirrored ? (n_y + 1) / 2 : n_y};
     const double cells = static_cast<double>(period_x) * period_y;
     const double all_cells = static_cast<double>(row_period(grid_, 2 * grid_.n_x - 1)) *
-                             padded(all_rows(grid_, grid_.n_y));
+                             padded(all_rows(grid_.mirrored, grid_.n_y));
     if (cells > window_worth * all_cells) return ConvolvedCompliance::among(active);
     std::vector<std::size_t> positions;
     for (const std::size_t point : active) {
@@ -241,8 +167,8 @@ std::unique_ptr<const contact::ActiveOperator> GridCompliance::among(
     }
     const std::size_t n_cells = static_cast<std::size_t>(size[0]) * size[1];
     return std::make_unique<ConvolvedOperator>(
-        window(size), contact::ScatteredPoints(std::move(positions), n_cells,
-                                               n_threads_worth(n_cells, n_threads_)));
+        symbols_->window(size), contact::ScatteredPoints(std::move(positions), n_cells,
+                                                         n_threads_worth(n_cells, n_threads_)));
 }
 
 void GridCompliance::displacements(const std::vector<const GridCompliance*>& bodies,
@@ -254,9 +180,10 @@ void GridCompliance::displacements(const std::vector<const GridCompliance*>& bod
 }
 
 InfluenceTable GridCompliance::influence() const {
-    InfluenceTable table{grid_.spacing[0], quadrants_.columns(), quadrants_.rows(), {}};
+    InfluenceTable table{
+        grid_.spacing[0], symbols_->quadrants().columns(), symbols_->quadrants().rows(), {}};
     for (int j = 0; j < table.n_y; ++j)
-        for (int i = 0; i < table.n_x; ++i) table.cells.push_back(quadrants_.at(i, j));
+        for (int i = 0; i < table.n_x; ++i) table.cells.push_back(symbols_->quadrants().at(i, j));
     return table;
 }
 
@@ -265,7 +192,7 @@ std::unique_ptr<const contact::Interior> GridCompliance::interior(
     if (!view_) return nullptr;
     if (!grid_.mirrored)
         return std::make_unique<contact::Interior>(grid_interior(*view_, grid_, p, t));
-    const int n_x = grid_.n_x, n_y = all_rows(grid_, grid_.n_y);
+    const int n_x = grid_.n_x, n_y = all_rows(grid_.mirrored, grid_.n_y);
     const auto whole = contact::ContactPoints::grid(
         n_x, n_y, {grid_.first[0], -(grid_.n_y - 1) * grid_.spacing[1]}, grid_.spacing);
     std::vector<double> pressure(whole.size());
@@ -288,10 +215,7 @@ bool is_coupled(const contact::MaterialPair& materials) {
 std::unique_ptr<GridCompliance> half_space_compliance(const contact::MaterialPair& materials,
                                                       contact::ContactPoints grid, int n_threads,
                                                       const contact::Interface& interface) {
-    const RectangleInfluence cell(materials, grid.spacing[0], grid.spacing[1]);
-    return std::make_unique<GridCompliance>([cell](double x, double y) { return cell.at(x, y); },
-                                            std::move(grid), is_coupled(materials), n_threads,
-                                            interface);
+    return std::make_unique<GridCompliance>(materials, std::move(grid), n_threads, interface);
 }
 
 std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layers,
@@ -301,7 +225,7 @@ std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layer
     const auto cell = std::make_shared<const LayerInfluence>(
         layers, indenter, grid.spacing[0], grid.spacing[1],
         std::hypot(positions(grid.n_x) * grid.spacing[0],
-                   positions(all_rows(grid, grid.n_y)) * grid.spacing[1]));
+                   positions(all_rows(grid.mirrored, grid.n_y)) * grid.spacing[1]));
     return std::make_unique<GridCompliance>([cell](double x, double y) { return cell->at(x, y); },
                                             std::move(grid), true, n_threads, interface);
 }
@@ -323,7 +247,7 @@ std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const
                                                      const contact::Interface& interface) {
     const double h = grid.spacing[0];
     check_spacing(table, name, h);
-    const int n_x = grid.n_x, n_y = all_rows(grid, grid.n_y);
+    const int n_x = grid.n_x, n_y = all_rows(grid.mirrored, grid.n_y);
     if (table.n_x < n_x || table.n_y < n_y)
         throw contact::InputError(
             fmt::format("{}: {} x {} positions, but contact and rolling path need {} x {}; write "

@@ -1,24 +1,19 @@
 #pragma once
 
-#include <array>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "bem/convolved_products.h"
 #include "bem/grid_interior.h"
+#include "bem/grid_symbols.h"
 #include "bem/influence.h"
 #include "bem/influence_file.h"
-#include "bem/quadrants.h"
 #include "contact/compliances/compliance.h"
 #include "theory/layer/layer_stack.h"
 
 namespace tricontact::bem {
-
-/// Threads that a grid of so many cells is worth.
-int n_threads_worth(std::size_t n_cells, int n_threads);
 
 /// Compliances whose products are convolutions on a regular grid.
 class ConvolvedCompliance : public contact::Compliance {
@@ -53,7 +48,7 @@ class ConvolvedCompliance : public contact::Compliance {
     contact::ContactPoints grid_;
     bool coupled_;
     int n_threads_;
-    std::unique_ptr<const ConvolvedProducts> products_;
+    std::shared_ptr<const ConvolvedProducts> products_;
 };
 
 /// Elastic bodies under piecewise constant tractions on a regular grid, displacements at the cells'
@@ -65,8 +60,11 @@ class GridCompliance final : public ConvolvedCompliance {
     /// `coupled`: use the coefficients between normal and tangential. `interface`: beside them.
     GridCompliance(CellInfluence influence, contact::ContactPoints grid, bool coupled,
                    int n_threads, const contact::Interface& interface = {});
+    /// Half-spaces, coupled if `is_coupled`.
+    GridCompliance(const contact::MaterialPair& materials, contact::ContactPoints grid,
+                   int n_threads, const contact::Interface& interface = {});
 
-    double local_tangential() const override { return quadrants_.at(0, 0).xx; }
+    double local_tangential() const override { return symbols_->quadrants().at(0, 0).xx; }
     /// Products on the smallest box around them, where it is much smaller than the grid.
     std::unique_ptr<const contact::ActiveOperator> among(
         const std::vector<std::size_t>& active) const override;
@@ -82,18 +80,11 @@ class GridCompliance final : public ConvolvedCompliance {
         std::span<const double> p, const contact::TangentialField& t) const override;
 
   private:
-    using Size = std::array<int, 2>;  // columns, rows
-    template <class Convolution>
-    std::unique_ptr<const ConvolvedProducts> make_products(const Size& size, bool is_window) const;
-    GridConvolution::Symbol normal_symbol(const auto& convolution) const;
-    std::shared_ptr<const ConvolvedProducts> window(const Size& size) const;
-    const std::vector<Quadrants::Quadrant>& tangential_quadrants() const;
+    GridShape shape() const;
+    void take(std::shared_ptr<const GridSymbols> symbols, const contact::Interface& interface);
 
-    const Quadrants quadrants_;
+    std::shared_ptr<const GridSymbols> symbols_;
     std::optional<InteriorView> view_;
-    mutable Quadrants::Quadrant normal_quadrant_;                    // once asked for
-    mutable std::vector<Quadrants::Quadrant> tangential_quadrants_;  // xx, xy, yy, coupled xz, yz
-    mutable std::map<Size, std::shared_ptr<const ConvolvedProducts>> windows_;  // by their size
 };
 
 /// Dundurs' beta is above what changes shifts by 1e-3.

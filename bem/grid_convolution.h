@@ -138,12 +138,6 @@ class GridConvolution {
     FftwPlan row_forward_, row_backward_, column_forward_, column_backward_;
 };
 
-/// The symbol of a kernel, see GridConvolution, at k_x >= 0 and all k_y, without what a
-/// GridConvolution pads it with. An element half a period away stands for both sides.
-GridConvolution::Symbol fourier_coefficients(int period_x, int period_y,
-                                             const std::function<double(int, int)>& coefficient,
-                                             GridConvolution::Parity parity, int n_threads);
-
 /// Inverse matrix per wave vector; where a truncated kernel is not positive definite, its diagonal.
 GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol, int n_threads = 1);
 /// The inverse of what has the inverse `bare`, with the same `layer` added per wave number.

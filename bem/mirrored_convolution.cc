@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "bem/fourier_coefficients.h"
+
 // f = even + i odd on the rows y >= 0 has f(x, -y) = f(x, y)*. Three things follow for its
 // transform F, with k' = (k_x, -k_y) the mirror image of k:
 //

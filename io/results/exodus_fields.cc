@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <stdexcept>
 
 #include "contact/compliances/interior_parts.h"
@@ -23,6 +24,21 @@ void check_number(std::string_view name, std::size_t size, std::size_t n) {
 /// A single row of cells, which has an extent across: its points twice, at both sides.
 bool is_row(const Surface& s) {
     return s.layout == Surface::Layout::grid && s.n_y == 1 && s.spacing[1] > 0;
+}
+
+std::vector<double> grid_of(const Surface& s) {
+    return {static_cast<double>(s.n_x),
+            static_cast<double>(s.n_y),
+            s.first[0],
+            s.first[1],
+            s.spacing[0],
+            s.spacing[1]};
+}
+
+const char* layout_of_points(const Surface& s) {
+    return s.layout == Surface::Layout::nodes  ? "nodes"
+           : s.layout == Surface::Layout::line ? "line"
+                                               : "grid";
 }
 
 std::string name_in_file(std::string_view name) {
@@ -71,12 +87,16 @@ std::vector<Value> by_blocks(const Interior& interior, const std::vector<Value>&
 template <class Value>
 void ExodusFields::add_component(const std::string& name, std::size_t n, const Value& value) {
     std::string bytes(n * sizeof(float), '\0');
-    bool is_zero = true;
+    // Both local: stores of bytes could change anything else, and lanes would not be used.
+    const Value value_at = value;
+    char* const to = bytes.data();
+    std::uint32_t any = 0;  // bits but the sign
     for (std::size_t i = 0; i < n; ++i) {
-        const auto single = static_cast<float>(value(i));
-        is_zero = is_zero && single == 0;
-        put_big_endian(single, bytes.data() + i * sizeof(float));
+        const auto single = static_cast<float>(value_at(i));
+        any |= std::bit_cast<std::uint32_t>(single) << 1;
+        put_big_endian(single, to + i * sizeof(float));
     }
+    const bool is_zero = any == 0;
     if (is_zero) bytes.assign(n, '\0');
     const std::size_t once = bytes.size();
     for (int i = 1; i < copies_; ++i) bytes.append(bytes, 0, once);
@@ -87,7 +107,7 @@ void ExodusFields::add_scalar(std::string_view name, std::span<const double> val
                               std::size_t n) {
     if (values.empty()) return;
     check_number(name, values.size(), n);
-    add_component(std::string(name), n, [&](std::size_t i) { return values[i]; });
+    add_component(std::string(name), n, [at = values.data()](std::size_t i) { return at[i]; });
 }
 
 void ExodusFields::add_vector(std::string_view name,
@@ -97,9 +117,13 @@ void ExodusFields::add_vector(std::string_view name,
     for (std::size_t d = 0; d < 3; ++d) {
         const std::span<const double> values = components.at(d);
         if (!values.empty()) check_number(name, values.size(), n);
-        add_component(name_in_file(name) + ends.at(d), n, [&](std::size_t i) {
-            return values.empty() ? 0. : (d == 2 ? z_sign : 1) * values[i];
-        });
+        const double sign = d == 2 ? z_sign : 1;
+        if (values.empty())
+            fields_.push_back({name_in_file(name) + ends.at(d), true, is_of_elements_,
+                               std::string(n * static_cast<std::size_t>(copies_), '\0')});
+        else
+            add_component(name_in_file(name) + ends.at(d), n,
+                          [sign, at = values.data()](std::size_t i) { return sign * at[i]; });
     }
 }
 
@@ -131,14 +155,9 @@ void ExodusFields::add_bytes(std::string_view name, std::span<const std::uint8_t
 
 ExodusMesh mesh_of(const Surface& s) {
     ExodusMesh mesh;
-    mesh.grid = {static_cast<double>(s.n_x),
-                 static_cast<double>(s.n_y),
-                 s.first[0],
-                 s.first[1],
-                 s.spacing[0],
-                 s.spacing[1]};
+    mesh.grid = grid_of(s);
+    mesh.layout = layout_of_points(s);
     if (s.layout == Surface::Layout::nodes) {
-        mesh.layout = "nodes";
         ExodusBlock block{.name = "surface", .element = "QUAD9", .nodes_per_element = 9};
         for (std::size_t i = 0; i < s.size(); ++i)
             mesh.points.push_back({s.node_x[i], s.node_y.at(i), 0.});
@@ -147,7 +166,6 @@ ExodusMesh mesh_of(const Surface& s) {
         mesh.blocks.push_back(std::move(block));
         return mesh;
     }
-    mesh.layout = s.layout == Surface::Layout::line ? "line" : "grid";
     const double before = is_row(s) ? s.spacing[1] / 2 : 0;
     for (int copy = 0; copy < (is_row(s) ? 2 : 1); ++copy)
         for (int j = 0; j < s.n_y; ++j)
@@ -155,6 +173,11 @@ ExodusMesh mesh_of(const Surface& s) {
                 mesh.points.push_back({s.x(i), s.y(j) + (2 * copy - 1) * before, 0.});
     mesh.blocks = {s.n_y > 1 || is_row(s) ? quads(s.n_x, is_row(s) ? 2 : s.n_y) : bars(s.n_x)};
     return mesh;
+}
+
+bool is_grid_of(const ExodusMesh& mesh, const Surface& s) {
+    return s.layout != Surface::Layout::nodes && mesh.layout == layout_of_points(s) &&
+           mesh.grid == grid_of(s);
 }
 
 ExodusMesh mesh_of(const Interior& interior) {

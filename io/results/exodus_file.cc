@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace tricontact::io {
 
@@ -274,8 +275,9 @@ NetcdfLayout exodus_layout(const ExodusMesh& mesh, const ExodusNames& names,
 }
 
 std::string exodus_record(const NetcdfLayout& layout, const ExodusNames& names, double time,
-                          const ExodusFields& state) {
-    std::string record(layout.record_size, '\0');
+                          const ExodusFields& state, std::string memory) {
+    std::string record = std::move(memory);
+    record.assign(layout.record_size, '\0');
     put(record, layout, *layout.find("time_whole"), big_endian(time));
     put_numbers(record, layout, names, state.numbers());
     for (const auto& [name, is_byte, is_of_elements, bytes] : state.fields())

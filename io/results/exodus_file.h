@@ -39,6 +39,11 @@ struct ExodusMesh {
 };
 ExodusMesh mesh_of(const contact::Surface& surface);
 ExodusMesh mesh_of(const contact::Interior& interior);
+/// Told by numbers of a grid alone; of other points only mesh_of tells it.
+bool is_grid_of(const ExodusMesh& mesh, const contact::Surface& surface);
+inline bool is_grid_of(const ExodusMesh&, const contact::Interior&) {
+    return false;
+}
 
 /// Fields of a state on such a mesh as the file has them: single precision, numbers of states and
 /// components that are 0 throughout as bytes. A vector is name_x, name_y, name_z, which readers put
@@ -101,9 +106,10 @@ struct ExodusNames {
 /// A file of such states in Exodus II: header, mesh and names, placed.
 NetcdfLayout exodus_layout(const ExodusMesh& mesh, const ExodusNames& names,
                            const Provenance& provenance);
-/// The record of a state, which has nothing that is not in the names; what it lacks is 0.
+/// The record of a state, which has nothing that is not in the names; what it lacks is 0. `memory`:
+/// an earlier record's.
 std::string exodus_record(const NetcdfLayout& layout, const ExodusNames& names, double time,
-                          const ExodusFields& state);
+                          const ExodusFields& state, std::string memory = {});
 /// A record of a file of fewer names as one of these.
 std::string exodus_record(const NetcdfLayout& layout, const ExodusNames& names,
                           const NetcdfLayout& old_layout, const ExodusNames& old_names,

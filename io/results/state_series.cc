@@ -83,15 +83,15 @@ std::string StateSeries::path(int number) const {
     return (std::filesystem::path(folder_) / (name_ + end + states_extension)).string();
 }
 
-void StateSeries::add(double time, ExodusMesh mesh, const ExodusFields& fields) {
-    if (n_files_ == 0 || mesh != mesh_) return begin_file(std::move(mesh), time, fields);
+void StateSeries::add(double time, const ExodusMesh& mesh, const ExodusFields& fields) {
+    if (n_files_ == 0 || (&mesh != &mesh_ && mesh != mesh_)) return begin_file(mesh, time, fields);
     take_more_names(fields);
     append(time, fields);
 }
 
 // The first state comes with the header, at once. What an earlier run left of further files goes.
-void StateSeries::begin_file(ExodusMesh mesh, double time, const ExodusFields& fields) {
-    mesh_ = std::move(mesh);
+void StateSeries::begin_file(const ExodusMesh& mesh, double time, const ExodusFields& fields) {
+    mesh_ = mesh;
     names_ = {};
     names_.take(fields);
     layout_ = exodus_layout(mesh_, names_, provenance_);
@@ -126,7 +126,8 @@ void StateSeries::append(double time, const ExodusFields& fields) {
     const auto place_of = [&](std::size_t record) {
         return layout_.records_begin + record * layout_.record_size;
     };
-    file.write(place_of(last), exodus_record(layout_, names_, shown[last], fields));
+    record_ = exodus_record(layout_, names_, shown[last], fields, std::move(record_));
+    file.write(place_of(last), record_);
     const auto move = [&](std::size_t i) {
         if (shown[i] != shown_times_[i]) file.write(place_of(i), big_endian(shown[i]));
     };

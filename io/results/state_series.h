@@ -37,15 +37,17 @@ class StateSeries {
     /// field has another size than the mesh.
     template <class Fields>
     void add(double time, const Fields& fields) {
-        add(time, mesh_of(fields), fields_of({time_name_, time}, fields));
+        const ExodusFields values = fields_of({time_name_, time}, fields);
+        if (n_files_ > 0 && is_grid_of(mesh_, fields)) return add(time, mesh_, values);
+        add(time, mesh_of(fields), values);
     }
-    void add(double time, ExodusMesh mesh, const ExodusFields& fields);
+    void add(double time, const ExodusMesh& mesh, const ExodusFields& fields);
     /// All that was written in this file system is on the disk.
     void finish() const;
 
   private:
     std::string path(int number) const;
-    void begin_file(ExodusMesh mesh, double time, const ExodusFields& fields);
+    void begin_file(const ExodusMesh& mesh, double time, const ExodusFields& fields);
     void take_more_names(const ExodusFields& fields);
     void append(double time, const ExodusFields& fields);
 
@@ -57,6 +59,7 @@ class StateSeries {
     ExodusMesh mesh_;
     ExodusNames names_;
     NetcdfLayout layout_;
+    std::string record_;               // the last, for its memory
     std::vector<double> times_;        // as they were given
     std::vector<double> shown_times_;  // see times_from_start
 };

@@ -35,34 +35,34 @@ bool is_finite(const Points& points) {
 
 }  // namespace
 
-IndenterShape::IndenterShape(const contact::Indenter& indenter, const Extent& extent)
-    : n_along_(extent.half_length > 0 ? n_across + 1 : n_radial + 1) {
+IndenterShape::IndenterShape(const contact::Indenter& indenter, const Extent& extent) {
     double radius = extent.radius, half_length = extent.half_length;
-    points_ = points_of(indenter, radius, half_length);
+    mesh_.points = points_of(indenter, radius, half_length);
     constexpr int most_tries = 100;
-    for (int tries = 0; !is_finite(points_) && tries < most_tries; ++tries) {
+    for (int tries = 0; !is_finite(mesh_.points) && tries < most_tries; ++tries) {
         radius *= 0.95;
         half_length *= 0.95;
-        points_ = points_of(indenter, radius, half_length);
+        mesh_.points = points_of(indenter, radius, half_length);
     }
-}
-
-ExodusMesh IndenterShape::mesh() const {
+    // Points of a radius, or of the strip's width.
+    const int n_along = extent.half_length > 0 ? n_across + 1 : n_radial + 1;
+    const int n_rows = static_cast<int>(mesh_.points.size()) / n_along;
     ExodusBlock block{.name = "indenter", .element = "QUAD4", .nodes_per_element = 4};
-    const int n_across = static_cast<int>(points_.size()) / n_along_;
-    for (int j = 0; j + 1 < n_across; ++j)
-        for (int i = 0; i + 1 < n_along_; ++i) {
-            const int corner = j * n_along_ + i + 1;
+    for (int j = 0; j + 1 < n_rows; ++j)
+        for (int i = 0; i + 1 < n_along; ++i) {
+            const int corner = j * n_along + i + 1;
             block.nodes.insert(block.nodes.end(),
-                               {corner, corner + 1, corner + n_along_ + 1, corner + n_along_});
+                               {corner, corner + 1, corner + n_along + 1, corner + n_along});
         }
-    return {.points = points_, .blocks = {std::move(block)}};
+    mesh_.blocks = {std::move(block)};
 }
 
 ExodusFields IndenterShape::moved(const Place& place, const Instant& instant) const {
     const double cos = std::cos(place.rotation), sin = std::sin(place.rotation);
+    const std::size_t n = mesh_.points.size();
     std::array<std::vector<double>, 3> moved;
-    for (const auto& [x, y, height] : points_) {
+    for (auto& component : moved) component.reserve(n);
+    for (const auto& [x, y, height] : mesh_.points) {
         moved[0].push_back(place.offset[0] + x * cos - y * sin - x);
         moved[1].push_back(place.offset[1] + x * sin + y * cos - y);
         moved[2].push_back(-place.indentation);
@@ -70,7 +70,7 @@ ExodusFields IndenterShape::moved(const Place& place, const Instant& instant) co
     ExodusFields fields;
     fields.add_number(instant.name, instant.time);
     constexpr std::array names{"displacement_m_x", "displacement_m_y", "displacement_m_z"};
-    for (std::size_t d = 0; d < 3; ++d) fields.add_scalar(names.at(d), moved.at(d), points_.size());
+    for (std::size_t d = 0; d < 3; ++d) fields.add_scalar(names.at(d), moved.at(d), n);
     return fields;
 }
 

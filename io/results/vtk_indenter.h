@@ -29,14 +29,13 @@ class IndenterShape {
         auto operator<=>(const Place&) const = default;
     };
     /// The shape about the origin, z out of the substrate.
-    ExodusMesh mesh() const;
+    const ExodusMesh& mesh() const { return mesh_; }
     /// How its points have moved, as displacement_m, which ParaView's readers apply: in place, its
     /// height over the undeformed surface is h(x, y) - d.
     ExodusFields moved(const Place& place, const Instant& instant) const;
 
   private:
-    int n_along_;                                // points of a radius or of the strip's width
-    std::vector<std::array<double, 3>> points_;  // x, y, h
+    ExodusMesh mesh_;  // points x, y, h
 };
 
 /// The indenter over the states of a surface.

@@ -105,6 +105,33 @@ TEST(GridCompliance, IsTheSumOfInfluenceCoefficients) {
         }
 }
 
+// Small half-spaces leave their symbols to the next on the same cells. Others differ by material,
+// spacing, interface or mirror; two at once do not share them.
+TEST(GridCompliance, NextOnTheSameCellsIsTheSame) {
+    const auto softer = half_space_compliance({contact::Material{50, .3}, {1.5, .3}}, grid_a, 1);
+    auto wider_grid = ContactPoints::grid(9, 6, {-.8, 2}, {.4, .6});
+    for (int turn = 0; turn < 3; ++turn) {
+        const auto first = half_space_compliance(materials(.3), grid_a, 1);
+        const auto second = half_space_compliance(materials(.3), grid_a, 1);
+        const auto wider = half_space_compliance(materials(.3), wider_grid, 1);
+        const auto on_springs =
+            half_space_compliance(materials(.3), grid_a, 1, {.normal_stiffness = 2});
+        const bem::RectangleInfluence cell(materials(.3), .2, .3);
+        expect_sum_of_coefficients(*first, cell);
+        expect_sum_of_coefficients(*second, cell);
+        expect_sum_of_coefficients(*wider, bem::RectangleInfluence(materials(.3), .4, .6));
+        std::vector<double> one(grid_a.size()), rigid(one), sprung(one), soft(one);
+        one[7] = 1;
+        first->normal(one, rigid);
+        on_springs->normal(one, sprung);
+        softer->normal(one, soft);
+        EXPECT_NEAR(sprung[7] - rigid[7], .5, 1e-14);
+        EXPECT_GT(soft[7], 1.5 * rigid[7]);
+        EXPECT_TRUE(on_springs->points().on_springs);
+        EXPECT_FALSE(second->points().on_springs);
+    }
+}
+
 TEST(GridCompliance, SymmetricPositiveDefinite) {
     for (const double nu : {0., .3, .5})
         for (const auto& grid : {grid_a, grid_b}) {
