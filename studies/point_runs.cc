@@ -84,9 +84,12 @@ class OutcomeBuffer {
   public:
     explicit OutcomeBuffer(io::ResultStore& store) : store_(store) {}
 
-    void add(std::vector<io::PointOutcome> outcomes) {
+    void add(std::vector<io::PointOutcome> outcomes, bool may_wait) {
         std::ranges::move(outcomes, std::back_inserter(waiting_));
-        flush_if_due();
+        if (may_wait)
+            flush_if_due();
+        else
+            flush();
     }
     void flush_if_due() {
         if (Clock::now() - flushed_ >= longest_wait) flush();
@@ -145,7 +148,7 @@ void compute_missing(const PointKind& kind, const StudyPoints& points, io::Resul
     OutcomeBuffer outcomes(store);
     const auto task = [&](std::size_t i) { return compute_lot(kind, points, lots[i], runs); };
     const auto keep = [&](std::size_t i, const WorkerReport& report) {
-        outcomes.add(outcomes_of(kind, points, lots[i], report));
+        outcomes.add(outcomes_of(kind, points, lots[i], report), report.was_short);
         bar.update(n_done += static_cast<int>(lots[i].size()), static_cast<int>(open.size()));
     };
     const auto attend = [&] {

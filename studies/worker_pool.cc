@@ -42,7 +42,7 @@ constexpr std::size_t no_further = static_cast<std::size_t>(-1);
 // A process that took longer does not go on: what is left over of large tasks stays in none, and
 // its start costs nothing beside them.
 constexpr std::chrono::seconds short_life{1};
-constexpr std::chrono::milliseconds short_task{20};
+constexpr std::chrono::milliseconds short_task{5};
 
 bool read_all(int fd, void* to, std::size_t n) {
     for (auto* at = static_cast<char*>(to); n > 0;) {
@@ -178,11 +178,11 @@ bool hear(Worker& worker, const Done& done,
     }
     const auto task = worker.task();
     if (!task) return false;
-    if (const auto report = worker.finished()) {
-        const bool was_short = worker.time_at_task() < short_task;
-        if (!was_short) done(*task, *report);
+    if (auto told = worker.finished()) {
+        told->was_short = worker.time_at_task() < short_task;
+        if (!told->was_short) done(*task, *told);
         if (worker.goes_on()) worker.give(next());
-        if (was_short) done(*task, *report);
+        if (told->was_short) done(*task, *told);
     }
     return false;
 }

@@ -12,6 +12,7 @@ struct WorkerReport {
     std::string text = {};     ///< what the task returned
     std::string failure = {};  ///< how its process ended, if not by returning
     bool killed = false;       ///< by a signal that others send, or the system for want of memory
+    bool was_short = false;    ///< 5 ms at most: the process has got another task already
 };
 
 /// Runs tasks in other processes, short ones several after each other in one, so that one that
