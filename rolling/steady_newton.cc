@@ -201,14 +201,14 @@ SteadySystem::Result SteadyNewton::solve_linear_system(double farthest) {
         curvature[k] = std::max(0.0, contact::dot(s, t) / bound) / bound;
     }
     // Zones still move while the residual is large, and a step leaves about its square: solve no
-    // more exactly than that deserves, nor than the tolerances ask for; where these are coarse a step shall just reach them.
+    // more exactly than that deserves, nor than the tolerances ask for; where these are coarse a
+    // step shall just reach them.
     const bool is_coarse = tolerances_.residual > coarse;
     const double asked = std::min(tolerances_.residual / solution_.residual,
                                   tolerances_.force / solution_.force_residual);
-    const double forcing =
-        std::clamp(std::max({solution_.residual, solution_.force_residual,
-                             (is_coarse ? .6 : .3) * asked}),
-                   1e-10, is_coarse ? .6 : .1);
+    const double forcing = std::clamp(
+        std::max({solution_.residual, solution_.force_residual, (is_coarse ? .6 : .3) * asked}),
+        1e-10, is_coarse ? .6 : .1);
     if (following_) follow();
     SteadySystem::Result result;
     for (const double relief : {0., 1.}) {

@@ -83,10 +83,11 @@ TEST(FemBodies, OfAHalfSpaceNothingIsMeshed) {
 // longer parallel to the substrate.
 TEST(FemBodies, RollAboutAHubAlone) {
     const std::string rolling = "[rolling]\namplitude_ratio = 0.2\nperiods = 2\n";
-    EXPECT_EQ(refusal(hemisphere, "rigid = true\n", loaded + rolling),
-              "rolling.amplitude_ratio = 0.2: fem rolls a cylinder or ball on a hub; a hemisphere "
-              "held by a rigid holder has another stiffness after it has turned: it is not of revolution "
-              "about the axis that it rolls about; leave out fem, or indenter.body");
+    EXPECT_EQ(
+        refusal(hemisphere, "rigid = true\n", loaded + rolling),
+        "rolling.amplitude_ratio = 0.2: fem rolls a cylinder or ball on a hub; a hemisphere "
+        "held by a rigid holder has another stiffness after it has turned: it is not of revolution "
+        "about the axis that it rolls about; leave out fem, or indenter.body");
     EXPECT_EQ(refusal(ball, "rigid = true\n", pressed + rolling),
               "rolling.amplitude_ratio = 0.2: fem rolls a cylinder or ball on a hub; a ball held "
               "by a second plate stands by symmetry alone, which rolling breaks; leave out fem, or "
