@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/base/between_rows.h"
 #include "contact/base/error.h"
 #include "contact/base/state_bytes.h"
 #include "contact/surface_audit.h"
@@ -35,12 +36,7 @@ class LoweredBody final : public contact::Indenter {
 
   private:
     double raised_at(double x) const {
-        const auto after = std::ranges::upper_bound(x_, x);
-        if (after == x_.begin()) return raised_.front();
-        if (after == x_.end()) return raised_.back();
-        const auto i = static_cast<std::size_t>(after - x_.begin());
-        return raised_[i - 1] +
-               (raised_[i] - raised_[i - 1]) * (x - x_[i - 1]) / (x_[i] - x_[i - 1]);
+        return contact::between_rows(x_, raised_, std::clamp(x, x_.front(), x_.back()));
     }
 
     std::shared_ptr<const contact::Indenter> body_;
