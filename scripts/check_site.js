@@ -22,6 +22,10 @@ async function complaints(window) {
     for (const image of window.document.images) {
         if (image.naturalWidth === 0) found.push(`picture ${image.getAttribute("src")} is missing`);
     }
+    // A blank line within a table leaves rows without a head, shown as text.
+    for (const {textContent} of window.document.querySelectorAll(".rst-content p")) {
+        if (/^\|.*\|$/m.test(textContent)) found.push(`has a row outside of its table: ${textContent.slice(0, 60)}`);
+    }
     if (window.document.querySelector(".katex-error")) found.push("has a formula with an error");
     if (window.document.querySelector(".katex") && !window.document.fonts.check("16px KaTeX_Main"))
         found.push("has formulas without their font");

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Reads the site of docs.sh in chromium, each page 400 px wide as on a phone: nothing scrolls sideways but tables, formulas
-# and code within themselves, no picture is missing, formulas have their fonts, nothing is asked of a network.
+# and code within themselves, no row stands outside of its table, no picture is missing, formulas have their fonts, nothing
+# is asked of a network.
 # usage: check_site.sh [FOLDER]   (build/docs)
 # Exit codes: 0 nothing to complain about, 1 complaints, 2 no chromium and not root.
 set -euo pipefail
