@@ -9,6 +9,7 @@
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
 #include "contact/solvers/conjugate_gradients.h"
+#include "contact/solvers/contact_region.h"
 
 // On a set of cells that touch, u = d - h. Pressures are linear in d there,
 //
@@ -308,16 +309,22 @@ NormalSolution CellAdhesion::follow(const std::vector<double>& height, const Nor
     return after;
 }
 
-CellAdhesion::Pulled CellAdhesion::pull(const std::vector<double>& height,
-                                        const NormalSolution& before) const {
+PullOff CellAdhesion::pull(const std::vector<double>& height, const NormalSolution& before) const {
     Set set(*this, height, before);
-    Pulled found{before, before.indentation};
+    const auto radius = [&](const NormalSolution& s) {
+        return shared_radius(compliance_.points(), s.share);
+    };
+    PullOff found{-before.force, radius(before), before.indentation, before.indentation};
     if (set.is_empty()) return found;
     NormalSolution way = before;
     set.solve();
     lower(set, {NormalControl::Kind::indentation, -infinity}, way, [&](const Set& now) {
         found.last_indentation = now.depth();
-        if (now.force() < found.least.force) found.least = now.solution();
+        if (!(now.force() < -found.force)) return;
+        const NormalSolution least = now.solution();
+        found.force = -least.force;
+        found.radius = radius(least);
+        found.indentation = least.indentation;
     });
     return found;
 }
