@@ -99,6 +99,11 @@ class Wearing {
             const WornCycle middle = cycle(half);
             const Field twice = contact_.jump(half, middle, n / 2);
             const double error = volume_between(whole, twice);
+            if (!std::isfinite(error)) {  // so much at once is no profile any more
+                if (n <= 2) return add_cycles(static_cast<int>(n));
+                next_ = n * least_factor;
+                continue;
+            }
             const double allowed = wear_.tolerance * std::max(volume_between(from.worn, twice),
                                                               share_of_all * from.volume);
             next_ = n * (error > 0 ? std::clamp(safety * std::sqrt(allowed / error), least_factor,
