@@ -135,7 +135,9 @@ class CellAdhesion::Set {
             elastic_ += area_[i] * pressure_[i] * displacement_[i] / 2;
             work += area_[i] * std::abs(pressure_[i] * displacement_[i]);
         }
-        length_ = larger(std::abs(depth_), magnitude > 0 ? work / magnitude : 0);
+        // A last cell at its own height has no pressure: what it takes to let go is a length then.
+        length_ = larger(larger(std::abs(depth_), magnitude > 0 ? work / magnitude : 0),
+                         law_.strength_ / *std::ranges::max_element(by_depth_));
     }
 
     void solve() {
