@@ -264,7 +264,10 @@ void check_loop_models(const IdentificationInput& input, const std::string& case
         std::vector<std::string> all = overrides;
         std::ranges::copy(overrides_of(guessed, {.free = input.parameters}),
                           std::back_inserter(all));
-        if (!input.laws.empty()) all.emplace_back("friction.coefficient=0.5");
+        const auto is_of_friction = [](const std::string& one) {
+            return one.starts_with("friction.");
+        };
+        if (std::ranges::none_of(all, is_of_friction)) all.emplace_back("friction.coefficient=0.5");
         try {
             case_under(case_file, std::move(all), *normal_force, amplitude);
             return;
