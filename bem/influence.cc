@@ -214,9 +214,9 @@ LayerKernel::Values LayerKernel::at(double r) const {
     return {tables_->normal(s), tables_->mean(s), tables_->deviation(s), tables_->coupling(s)};
 }
 
-theory::QuadratureRule cell_rule(double width_over_thickness) {
+contact::QuadratureRule cell_rule(double width_over_thickness) {
     const double more = std::min(10., std::ceil(5 * width_over_thickness));
-    auto rule = theory::gauss_legendre(2 + static_cast<int>(more));
+    auto rule = contact::gauss_legendre(2 + static_cast<int>(more));
     for (double& x : rule.points) x -= .5;
     return rule;
 }

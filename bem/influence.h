@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "contact/base/gauss_legendre.h"
 #include "contact/substrates/material.h"
 #include "theory/layer/layer_stack.h"
-#include "theory/line_load.h"
 
 namespace tricontact::bem {
 
@@ -97,7 +97,7 @@ class LayerKernel {
 
 /// Points and weights on (-1/2, 1/2) that integrate what layers add over a cell. It varies over the
 /// thickness b: two points per direction leave (h/b)^4/4000 of it.
-theory::QuadratureRule cell_rule(double width_over_thickness);
+contact::QuadratureRule cell_rule(double width_over_thickness);
 
 /// Influence coefficients of layers under a uniform traction on a rectangle, displacements relative
 /// to an elastic or rigid indenter: closed forms of the half-space plus the layers' difference

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "contact/base/gauss_legendre.h"
 #include "contact/base/vector2.h"
 #include "theory/half_space_interior.h"
 #include "theory/layer/layer_stack.h"
-#include "theory/line_load.h"
 
 namespace tricontact::bem {
 
@@ -68,7 +68,7 @@ class InteriorInfluence {
     std::vector<double> depths_;
     // What layers add to the half-space, and where in the rectangle its kernel is taken.
     std::optional<LayerInteriorKernel> difference_;
-    theory::QuadratureRule rule_;
+    contact::QuadratureRule rule_;
 };
 
 }  // namespace tricontact::bem

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/base/pull_off.h"
 #include "contact/base/vector2.h"
 #include "contact/compliances/interior.h"
 #include "contact/rig_stiffness.h"
@@ -85,15 +86,6 @@ struct Scales {
     double peak_pressure = 0;   ///< p0 [Pa]
     double unit_shift = 0;  ///< U_max [m]: u_x at the contact centre under sliding friction along x
     double sliding_force = 0;  ///< what friction carries in all [N]
-};
-
-/// Of surfaces that attract each other, without friction: where a contact that is pulled slowly
-/// lets go.
-struct PullOff {
-    double force = 0;             ///< the largest tension that it holds [N]
-    double radius = 0;            ///< a under that force [m]
-    double indentation = 0;       ///< d likewise [m], negative: below the height of first touch
-    double last_indentation = 0;  ///< d at which it lets go where the depth is prescribed [m]
 };
 
 /// What becomes of a contact that rolls back and forth for ever. Shakedown: everything sticks in

@@ -34,6 +34,9 @@ class Model {
     virtual void start_period() {}
     /// Scales of the present normal state.
     virtual Scales scales() const = 0;
+    /// Of a body between two plates that are not alike: likewise of the contact with the upper one,
+    /// the other being the contact of the model; empty of all others.
+    virtual std::optional<Scales> upper_scales() const { return {}; }
     /// Of surfaces that attract each other; empty: not known.
     virtual std::optional<PullOff> pull_off() const { return {}; }
     /// Fields of the present state.

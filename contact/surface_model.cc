@@ -247,6 +247,7 @@ std::unique_ptr<const Interior> SurfaceModel::interior() {
         missing = std::hypot(missing, inside->applied[d] + (*inside->base_reaction)[d]);
         applied = std::hypot(applied, inside->applied[d]);
     }
+    if (attracted_) applied += 2 * now().normal->pull;  // what presses and pulls may cancel
     audit_.record("interior_equilibrium", missing / applied,
                   substrate_->compliance().allowed_missing_reaction());
     return inside;

@@ -102,7 +102,7 @@ class SurfaceModel final : public Model, public Wearable {
                              : work_[i];
     }
     StepRecord record(const LoadStep& step) const;
-    std::optional<LettingGo> let_go() const;
+    std::optional<PullOff> pulled_off() const;
     void audit_attracted(const LoadStep& step);
     void audit_friction(const LoadStep& step);
     void audit_step(const LoadStep& step, bool advected);

@@ -81,17 +81,15 @@ Scales SurfaceModel::scales() const {
 /// many spots let go one after the other; not known, either, where the way there does not converge.
 std::optional<PullOff> SurfaceModel::pull_off() const {
     if (!attracted_ || hardest_ == not_pressed || points().periodic) return {};
-    std::optional<LettingGo> found;
     try {
-        found = let_go();
+        return pulled_off();
     } catch (const InputError&) {  // it does not hold without a force that presses
     } catch (const NotConverged&) {
     }
-    if (!found) return {};
-    return PullOff{found->force, found->radius, found->indentation, found->last_indentation};
+    return {};
 }
 
-std::optional<LettingGo> SurfaceModel::let_go() const {
+std::optional<PullOff> SurfaceModel::pulled_off() const {
     const auto solver = [&](double zone) {
         return AdhesiveNormal(name_, substrate_->compliance(),
                               attraction_on(points(), attracted_->law, attracted_->modulus, zone),

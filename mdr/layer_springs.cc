@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "contact/base/error.h"
-#include "theory/line_load.h"
+#include "contact/base/gauss_legendre.h"
 
 namespace tricontact::mdr {
 
@@ -25,7 +25,7 @@ struct WaveRule {
 // An elastic ground is seen by wave numbers down to k b of the order of its softness: panels that
 // double from there on.
 WaveRule wave_rule(const theory::LayerStack& stack, double reach) {
-    const theory::QuadratureRule& gauss = theory::gauss_legendre(30);
+    const contact::QuadratureRule& gauss = contact::gauss_legendre(30);
     const double end = end_of_deficit / stack.sheets.front().thickness;
     const double widest = std::min(2 / stack.thickness(), 48 / reach);
     std::vector<double> ends{0};

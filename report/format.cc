@@ -47,6 +47,10 @@ std::string share(double part, int digits) {
     return significant(100 * part, digits) + " %";
 }
 
+std::string signed_share(double part, int digits) {
+    return (part > 0 ? "+" : "") + significant(100 * part, digits) + " %";
+}
+
 std::string p_value(double p) {
     return p < least_p ? "p < 0.001" : "p = " + significant(p, 2);
 }

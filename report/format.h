@@ -29,6 +29,8 @@ std::string percent(std::optional<double> ratio);
 /// A part of a whole, or the size of a relative error, in percent: "2.3 %"; "below 0.001 %" where
 /// its digits would be hard to count; an en dash where undefined.
 std::string share(double part, int digits = 2);
+/// A relative difference in percent with its sign: "+1.45 %".
+std::string signed_share(double part, int digits = 3);
 
 /// The probability of chance for sentences: "p = 0.23", "p < 0.001" below that.
 std::string p_value(double p);

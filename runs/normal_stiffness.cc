@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "contact/base/error.h"
+#include "contact/bodies/upper_plate.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
-#include "contact/section_scales.h"
 
 namespace tricontact::runs {
 
@@ -96,11 +96,11 @@ std::optional<Stiffness> sticking_stiffness(const contact::Case& c, contact::Mod
 }
 
 std::optional<contact::Scales> upper_contact(const contact::Case& c, const contact::Model& model) {
+    if (!c.kept.find<contact::UpperPlate>()) return {};
     const auto pressed = model.sibling(c.contact);
-    const auto* const both = dynamic_cast<const contact::OpposedContact*>(pressed.get());
-    if (!both) return {};
+    if (!pressed) return {};
     pressed->advance(hardest_press(c));
-    return both->upper_scales();
+    return pressed->upper_scales();
 }
 
 }  // namespace tricontact::runs

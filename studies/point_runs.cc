@@ -102,7 +102,7 @@ class OutcomeBuffer {
 
   private:
     using Clock = std::chrono::steady_clock;
-    static constexpr std::chrono::milliseconds longest_wait{20};
+    static constexpr auto longest_wait = 4 * short_task;
 
     io::ResultStore& store_;
     std::vector<io::PointOutcome> waiting_;

@@ -42,7 +42,6 @@ constexpr std::size_t no_further = static_cast<std::size_t>(-1);
 // A process that took longer does not go on: what is left over of large tasks stays in none, and
 // its start costs nothing beside them.
 constexpr std::chrono::seconds short_life{1};
-constexpr std::chrono::milliseconds short_task{5};
 
 bool read_all(int fd, void* to, std::size_t n) {
     for (auto* at = static_cast<char*>(to); n > 0;) {
@@ -168,8 +167,7 @@ class Worker {
     std::string text_;
 };
 
-// What a worker has said: true if its process has ended. Short tasks follow each other at once;
-// what took longer is kept before anything follows it.
+// What a worker has said: true if its process has ended.
 bool hear(Worker& worker, const Done& done,
           const std::function<std::optional<std::size_t>()>& next) {
     if (!worker.read()) {

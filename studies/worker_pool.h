@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -12,8 +13,12 @@ struct WorkerReport {
     std::string text = {};     ///< what the task returned
     std::string failure = {};  ///< how its process ended, if not by returning
     bool killed = false;       ///< by a signal that others send, or the system for want of memory
-    bool was_short = false;    ///< 5 ms at most: the process has got another task already
+    bool was_short = false;    ///< the process has got another task already
 };
+
+/// A task that takes no longer is short: the next one follows before its result is kept, and
+/// results of several are kept together. What takes longer is kept before anything follows it.
+inline constexpr std::chrono::milliseconds short_task{5};
 
 /// Runs tasks in other processes, short ones several after each other in one, so that one that
 /// crashes takes no other with it; at most `n_workers` (at least 1) at a time, in the order given.

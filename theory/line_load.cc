@@ -4,41 +4,13 @@
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <iterator>
-#include <map>
-#include <mutex>
 #include <numbers>
 #include <utility>
 
 namespace tricontact::theory {
 
-namespace {
-
-QuadratureRule new_rule(int n) {
-    QuadratureRule rule;
-    auto add = [&](double zero, double slope) {
-        rule.points.push_back((1 + zero) / 2);
-        rule.weights.push_back(1 / ((1 - zero) * (1 + zero) * slope * slope));
-    };
-    const std::vector<double> zeros = boost::math::legendre_p_zeros<double>(n);  // those >= 0
-    for (auto zero = zeros.rbegin(); zero != zeros.rend(); ++zero)
-        if (*zero > 0) add(-*zero, boost::math::legendre_p_prime(n, *zero));
-    for (const double zero : zeros) add(zero, boost::math::legendre_p_prime(n, zero));
-    return rule;
-}
-
-}  // namespace
-
-const QuadratureRule& gauss_legendre(int n) {
-    static std::mutex mutex;
-    static std::map<int, QuadratureRule> rules;
-    const std::scoped_lock lock(mutex);
-    auto known = rules.find(n);
-    if (known == rules.end()) known = rules.emplace(n, new_rule(n)).first;
-    return known->second;
-}
-
 LineMesh::LineMesh(double radius, const std::vector<double>& breaks, int points_per_piece)
-    : rule_(gauss_legendre(points_per_piece)), ends_{0} {
+    : rule_(contact::gauss_legendre(points_per_piece)), ends_{0} {
     for (const double x : breaks)
         if (x < radius) ends_.push_back(x);
     ends_.push_back(radius);

@@ -2,16 +2,9 @@
 
 #include <vector>
 
+#include "contact/base/gauss_legendre.h"
+
 namespace tricontact::theory {
-
-/// Points and weights on (0, 1).
-struct QuadratureRule {
-    std::vector<double> points, weights;
-};
-
-/// Gauss and Legendre's rule of n >= 1 points, exact for polynomials of degree 2n - 1; kept, for
-/// its zeros cost more than many an integral.
-const QuadratureRule& gauss_legendre(int n);
 
 /// Quadrature over 0 < x < a, split where a function loses its smoothness. Positions on a piece are
 /// x = begin + length s^2, s Gauss points, so that sqrt(x - begin) is smooth too; on the first
@@ -28,7 +21,7 @@ class LineMesh {
 
   private:
     friend class LineLoad;
-    QuadratureRule rule_;
+    contact::QuadratureRule rule_;
     std::vector<double> ends_;  // 0, breaks, a
     std::vector<double> positions_, weights_;
 };

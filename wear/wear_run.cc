@@ -78,8 +78,22 @@ class Wearing {
         WornState fresh;
         fresh.worn.assign(contact_.area().size(), 0);
         fresh.cycle = cycle(fresh.worn);
+        refuse_fast(fresh.cycle);
         states_.push_back(std::move(fresh));
         keep();
+    }
+
+    /// A cycle wears the profile that it begins with. Where that changes much, worn profiles
+    /// oscillate from cycle to cycle, and the contact becomes ever wider.
+    static void refuse_fast(const WornCycle& cycle) {
+        constexpr double most = .1;  // of the depth
+        const double worn = *std::ranges::max_element(cycle.rate);
+        if (cycle.indentation > 0 && worn > most * cycle.indentation)
+            throw contact::InputError(fmt::format(
+                "[wear]: the first cycle wears {:.3g} um, and is computed on the profile that it "
+                "begins with, {:.3g} um deep: at most a tenth of that; reduce wear.coefficient or "
+                "the slip of a cycle",
+                1e6 * worn, 1e6 * cycle.indentation));
     }
 
     /// A whole number of cycles, even unless it is the last.

@@ -52,6 +52,7 @@ void evaluate_loops(CommandOptions& options) {
     options.reads->emplace_back("[rig]");
     const experiments::IdentificationInput input =
         experiments::read_identification(options.file, options.overrides);
+    experiments::check_loop_models(input, options.file, options.overrides);
     experiments::IdentificationStudy study;
     experiments::LoopPredictions predictions;
     nlohmann::ordered_json data;

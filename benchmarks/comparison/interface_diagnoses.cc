@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "benchmarks/comparison/diagnoses.h"
+#include "report/format.h"
 
 // Of the way in which a code enforces contact and friction.
 namespace tricontact::benchmarks {
@@ -22,10 +23,6 @@ const Explained* explained_by(const Evidence& e, const char* id, const ComparedN
     return nullptr;
 }
 
-std::string signed_percent(double share) {
-    return fmt::format("{:+.2g} %", 100 * share);
-}
-
 double radius_of(const Evidence& e) {
     return e.c.reference.c.indenter.radius;
 }
@@ -41,7 +38,7 @@ std::optional<Diagnosis> penalty(const Evidence& e) {
         "penalty",
         fmt::format("The normal penalty yields by p0/K = {:.3g} µm and changes {} by {}: "
                     "dF = -(1/2K) d/dd of the integral of p^2",
-                    1e6 * e.peak_pressure() / k, n->title, signed_percent(x->change)),
+                    1e6 * e.peak_pressure() / k, n->title, report::signed_share(x->change, 2)),
         fmt::format("a stiffness of {:.3g} MPa/mm changes it by 0.1 %, an augmented Lagrangian by "
                     "nothing",
                     1e-9 * k * std::abs(x->change) / wished)};
@@ -57,7 +54,7 @@ std::optional<Diagnosis> elastic_slip(const Evidence& e) {
         "tangential_springs",
         fmt::format("Points that stick slip elastically by up to mu p0/K_T = {:.3g} µm, which "
                     "changes {} by {}",
-                    1e6 * mu * e.peak_pressure() / k, n->title, signed_percent(x->change)),
+                    1e6 * mu * e.peak_pressure() / k, n->title, report::signed_share(x->change, 2)),
         fmt::format("a stick slope of {:.3g} MPa/mm changes it by 0.1 %",
                     1e-9 * k * std::abs(x->change) / wished)};
 }
@@ -102,7 +99,7 @@ std::optional<Diagnosis> pressed_in_one_step(const Evidence& e) {
         "one_step",
         fmt::format("It was pressed in one step, where the case presses in {}: with "
                     "friction this changes {} by {}",
-                    e.c.reference.c.load.press_steps, n->title, signed_percent(x->change)),
+                    e.c.reference.c.load.press_steps, n->title, report::signed_share(x->change, 2)),
         "press in as many steps as the case"};
 }
 

@@ -5,6 +5,7 @@
 
 #include "benchmarks/comparison/diagnoses.h"
 #include "benchmarks/comparison/explained.h"
+#include "report/format.h"
 
 // Of what a code's model is: kinematics, block, material.
 namespace tricontact::benchmarks {
@@ -21,10 +22,6 @@ const ComparedNumber* force_or_depth(const Evidence& e) {
     return force ? force : e.find(keys::indentation);
 }
 
-std::string signed_percent_of(double share) {
-    return fmt::format("{:+.3g} %", 100 * share);
-}
-
 }  // namespace
 
 std::optional<Diagnosis> displaced_kinematics(const Evidence& e) {
@@ -36,7 +33,7 @@ std::optional<Diagnosis> displaced_kinematics(const Evidence& e) {
     return Diagnosis{"displaced_surface",
                      fmt::format("Gap and normal on the displaced surface change {} by {} ± {:.2g} "
                                  "% at a/R = {:.3g}; the reference has them on the undeformed one",
-                                 n->title, signed_percent_of(x->change), 100 * x->bar,
+                                 n->title, report::signed_share(x->change), 100 * x->bar,
                                  edge_slope(e.c.reference)),
                      "small displacements in the contact's kinematics, or a smaller depth: the "
                      "change goes with a/R"};
@@ -52,7 +49,7 @@ std::optional<Diagnosis> unknown_kinematics(const Evidence& e) {
         "kinematics_unknown",
         fmt::format("{} differs by {}; contact on the displaced surface would change it by {} ± "
                     "{:.2g} %",
-                    n->title, signed_percent_of(n->left()), signed_percent_of(x->change),
+                    n->title, report::signed_share(n->left()), report::signed_share(x->change),
                     100 * x->bar),
         "say in the submission which surface the gap is measured on: contact.kinematics"};
 }
@@ -83,7 +80,7 @@ std::optional<Diagnosis> finite_block(const Evidence& e) {
                     fmt::format("The block ends at {:.3g} a from the centre: against an unbounded "
                                 "layer this changes {} by {} ± {:.1g} %",
                                 *width / e.c.reference.contact_radius, n.title,
-                                signed_percent_of(x.change), 100 * x.bar),
+                                report::signed_share(x.change), 100 * x.bar),
                     "a wider block"};
     return {};
 }

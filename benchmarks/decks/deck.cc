@@ -1,11 +1,20 @@
 #include "benchmarks/decks/deck.h"
 
+#include <fmt/format.h>
+
 #include "benchmarks/decks/deck_family.h"
 #include "benchmarks/decks/deck_texts.h"
 #include "benchmarks/decks/mesh_texts.h"
 #include "contact/base/error.h"
 
 namespace tricontact::benchmarks {
+
+std::string add_run(DeckFamily& family, const DeckModel& model) {
+    DeckRun& run = family.runs.emplace_back();
+    run.n = coarsest_elements(model) << (family.runs.size() - 1);
+    run.size = model.a / run.n;
+    return fmt::format("{}_n{}", model.name, run.n);
+}
 
 DeckFamily make_family(const DeckModel& model, const DeckWishes& wishes) {
     if (wishes.code == "calculix") return inp_family(model, wishes, false);

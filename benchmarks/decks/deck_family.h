@@ -36,6 +36,9 @@ inline int levels_of(const DeckModel& model, const DeckWishes& wishes) {
     return model.shape == DeckModel::Shape::half ? 3 : 4;
 }
 
+/// The next finer mesh of a family: a run of these elements. Its files begin with what is returned.
+std::string add_run(DeckFamily& family, const DeckModel& model);
+
 /// By wishes.code. Throws contact::InputError for a code that has no deck.
 DeckFamily make_family(const DeckModel& model, const DeckWishes& wishes);
 

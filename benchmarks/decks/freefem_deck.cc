@@ -129,13 +129,11 @@ DeckFamily freefem_family(const DeckModel& model, const DeckWishes& wishes) {
     family.kinematics = "undeformed";
     family.has_stiffness = true;
 
-    for (int level = 0; level < (wishes.levels > 0 ? wishes.levels : 4); ++level) {
-        const DeckLines lines = deck_lines(model, 4, level);
+    for (int level = 0; level < levels_of(model, wishes); ++level) {
+        const DeckLines lines = deck_lines(model, coarsest_elements(model), level);
         const std::vector<double> heights = heights_of(lines);
-        DeckRun& run = family.runs.emplace_back();
-        run.n = 4 << level;
-        run.size = model.a / run.n;
-        const std::string job = fmt::format("{}_n{}", model.name, run.n);
+        const std::string job = add_run(family, model);
+        DeckRun& run = family.runs.back();
         const std::string control = filled(
             model.last().is_force ? freefem_force : freefem_depth,
             {{"target", number(model.last().normal)}, {"depth_scale", number(model.depth_scale)}});

@@ -211,10 +211,8 @@ DeckFamily freefem_pair_family(const DeckModel& model, const DeckWishes& wishes)
     family.method = "mortar";
     family.kinematics = "undeformed";
     for (int level = 0; level < levels_of(model, wishes); ++level) {
-        DeckRun& run = family.runs.emplace_back();
-        run.n = coarsest_elements(model) << level;
-        run.size = model.a / run.n;
-        const std::string job = fmt::format("{}_n{}", model.name, run.n);
+        const std::string job = add_run(family, model);
+        DeckRun& run = family.runs.back();
         const BodyPair pair = body_pair(model, coarsest_elements(model), level, false);
         run.files.push_back({job + "_lower.msh", freefem_mesh(pair.lower)});
         run.files.push_back({job + "_upper.msh", freefem_mesh(pair.upper)});

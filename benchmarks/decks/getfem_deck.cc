@@ -132,13 +132,11 @@ DeckFamily getfem_family(const DeckModel& model, const DeckWishes& wishes) {
     family.method = "augmented-lagrangian";
     family.kinematics = "undeformed";
 
-    for (int level = 0; level < (wishes.levels > 0 ? wishes.levels : 4); ++level) {
-        const DeckLines lines = deck_lines(model, 4, level);
+    for (int level = 0; level < levels_of(model, wishes); ++level) {
+        const DeckLines lines = deck_lines(model, coarsest_elements(model), level);
         const std::vector<double> heights = heights_of(lines);
-        DeckRun& run = family.runs.emplace_back();
-        run.n = 4 << level;
-        run.size = model.a / run.n;
-        const std::string job = fmt::format("{}_n{}", model.name, run.n);
+        const std::string job = add_run(family, model);
+        DeckRun& run = family.runs.back();
         const std::string depth =
             is_force
                 ? fmt::format(

@@ -187,10 +187,8 @@ DeckFamily inp_family(const DeckModel& model, const DeckWishes& wishes, bool is_
             "did not end within half an hour on a loaded machine. n = 12 was not run.");
     const int coarsest = coarsest_elements(model);
     for (int level = 0; level < levels_of(model, wishes); ++level) {
-        DeckRun& run = family.runs.emplace_back();
-        run.n = coarsest << level;
-        run.size = model.a / run.n;
-        const std::string job = fmt::format("{}_n{}", model.name, run.n);
+        const std::string job = add_run(family, model);
+        DeckRun& run = family.runs.back();
         run.files.push_back({job + ".inp", inp_text(model, element, coarsest, level, is_abaqus)});
         run.command = is_abaqus ? "abaqus interactive job=" + job : "ccx " + job;
         run.field = job + (is_abaqus ? ".csv" : ".frd");

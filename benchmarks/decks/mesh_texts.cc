@@ -196,10 +196,8 @@ DeckFamily mesh_family(const DeckModel& model, const DeckWishes& wishes) {
     family.elements = element;
     const int coarsest = coarsest_elements(model);
     for (int level = 0; level < levels_of(model, wishes); ++level) {
-        DeckRun& run = family.runs.emplace_back();
-        run.n = coarsest << level;
-        run.size = model.a / run.n;
-        const std::string job = fmt::format("{}_n{}", model.name, run.n);
+        const std::string job = add_run(family, model);
+        DeckRun& run = family.runs.back();
         for (const auto& [name, mesh] : meshes_of(model, coarsest, level, element == "quadratic")) {
             run.files.push_back({job + name + ".msh", msh_text(mesh)});
             run.files.push_back({job + name + ".vtu", vtu_text(mesh)});

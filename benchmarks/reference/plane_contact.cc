@@ -7,8 +7,8 @@
 
 #include "benchmarks/reference/reference_kinds.h"
 #include "comparisons/half_space/layer.h"
+#include "contact/base/gauss_legendre.h"
 #include "contact/half_space_scales.h"
-#include "theory/line_load.h"
 
 namespace tricontact::benchmarks {
 
@@ -24,7 +24,7 @@ constexpr int plane_points = 60;
 /// ∫ f(x) dx over 0 < x < a, x = a sin(theta).
 template <class Function>
 double over_half_width(double a, const Function& f) {
-    const theory::QuadratureRule& rule = theory::gauss_legendre(plane_points);
+    const contact::QuadratureRule& rule = contact::gauss_legendre(plane_points);
     double sum = 0;
     for (std::size_t i = 0; i < rule.points.size(); ++i) {
         const double theta = rule.points[i] * pi / 2;
@@ -58,7 +58,7 @@ void PlaneContact::find_waves(const theory::ElasticLayer& layer) {
     const double b = layer.thickness;
     const double width = std::min(1., 12 * b / (farthest_place * half_width_));
     const int n_panels = static_cast<int>(std::ceil(last_plane_wave / width));
-    const theory::QuadratureRule& rule = theory::gauss_legendre(20);
+    const contact::QuadratureRule& rule = contact::gauss_legendre(20);
     for (int panel = 0; panel < n_panels; ++panel)
         for (std::size_t i = 0; i < rule.points.size(); ++i) {
             const double step = last_plane_wave / n_panels;

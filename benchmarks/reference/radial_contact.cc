@@ -7,6 +7,7 @@
 
 #include "comparisons/half_space/layer.h"
 #include "contact/base/error.h"
+#include "contact/base/gauss_legendre.h"
 #include "contact/base/root.h"
 #include "theory/layer/elastic_layer.h"
 
@@ -14,9 +15,9 @@ namespace tricontact::benchmarks {
 
 namespace {
 
+using contact::gauss_legendre;
 using contact::NormalControl;
 using std::numbers::pi;
-using theory::gauss_legendre;
 
 constexpr double last_wave = 24;  // k b, beyond it a layer is the half-space
 constexpr double farthest = 20;   // displacements are asked for within so many radii
@@ -35,7 +36,7 @@ theory::LineLoad no_load() {
 /// ∫ f dx over (begin, end).
 template <class Function>
 double integral(double begin, double end, const Function& f) {
-    const theory::QuadratureRule& rule = gauss_legendre(points_of_integral);
+    const contact::QuadratureRule& rule = gauss_legendre(points_of_integral);
     double sum = 0;
     for (std::size_t i = 0; i < rule.points.size(); ++i)
         sum += rule.weights[i] * f(begin + (end - begin) * rule.points[i]);
@@ -102,8 +103,8 @@ void RadialContact::find_waves(const theory::ElasticLayer& layer) {
     const double widest = std::min(2., 24 / ((farthest + 1) * radius_ / (2 * b)));
     const int n_panels = static_cast<int>(std::ceil(last_wave / widest));
     const double width = last_wave / n_panels;
-    const theory::QuadratureRule& rule = gauss_legendre(points_of_panel);
-    const theory::QuadratureRule& along = gauss_legendre(points_of_integral);
+    const contact::QuadratureRule& rule = gauss_legendre(points_of_panel);
+    const contact::QuadratureRule& along = gauss_legendre(points_of_integral);
     std::vector<double> loads;
     for (const double t : along.points) loads.push_back(line_load_.value(radius_ * t));
     const auto transformed = [&](double k) {

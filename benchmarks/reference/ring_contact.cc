@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "comparisons/half_space/layer.h"
+#include "contact/base/gauss_legendre.h"
 #include "theory/layer/layer_compliance.h"
-#include "theory/line_load.h"
 
 namespace tricontact::benchmarks {
 
@@ -47,7 +47,7 @@ void RingContact::set_rings(const contact::Case& c) {
     const bool has_layer = c.layer.thickness.has_value();
     const double nu = substrate.poisson, g = substrate.shear_modulus();
     const double coupling = has_layer ? (1 - 2 * nu) / g : pair.one_minus_two_nu_over_g();
-    const theory::QuadratureRule& rule = theory::gauss_legendre(points_of_ring);
+    const contact::QuadratureRule& rule = contact::gauss_legendre(points_of_ring);
     for (Eigen::Index i = 0; i < areas_.size(); ++i) {
         const double in = edges_[i], out = edges_[i + 1], r = middles_[i];
         areas_[i] = pi * (out - in) * (out + in);
@@ -87,7 +87,7 @@ void RingContact::set_rings(const contact::Case& c) {
 // x = end - length s^2 on each ring: line loads begin there as a root.
 Eigen::MatrixXd RingContact::on_half_space(double modulus) const {
     const Eigen::Index n = areas_.size();
-    const theory::QuadratureRule& rule = theory::gauss_legendre(points_of_ring);
+    const contact::QuadratureRule& rule = contact::gauss_legendre(points_of_ring);
     Eigen::MatrixXd loads(n * points_of_ring, n);
     Eigen::VectorXd weights(n * points_of_ring);
     for (Eigen::Index i = 0; i < n; ++i)
@@ -107,7 +107,7 @@ void RingContact::add_layer(double thickness, const Waves& waves,
     const Eigen::Index n = areas_.size();
     const int n_panels = static_cast<int>(std::ceil(waves.last / waves.panel));
     const double width = waves.last / n_panels;
-    const theory::QuadratureRule& rule = theory::gauss_legendre(waves.points);
+    const contact::QuadratureRule& rule = contact::gauss_legendre(waves.points);
     const Eigen::Index n_waves = Eigen::Index{n_panels} * waves.points;
     Eigen::MatrixXd transforms(n_waves, n), slopes(n_waves, n);
     Eigen::VectorXd normal(n_waves), tangential(n_waves), along(n_waves);

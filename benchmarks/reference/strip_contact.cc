@@ -6,7 +6,6 @@
 #include "benchmarks/reference/ring_contact.h"
 #include "comparisons/half_space/layer.h"
 #include "theory/layer/layer_compliance.h"
-#include "theory/line_load.h"
 
 namespace tricontact::benchmarks {
 

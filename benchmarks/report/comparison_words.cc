@@ -68,14 +68,10 @@ std::string reference_of(const ComparedNumber& number) {
            (unit.name.empty() ? "" : ' ' + unit.name);
 }
 
-std::string signed_percent(double part) {
-    return (part > 0 ? "+" : "") + report::significant(100 * part, 3) + " %";
-}
-
 std::string left_text(double left, double uncertainty) {
     // Two digits of U: against a tolerance one is too coarse.
     const double u = 100 * uncertainty;
-    if (!(u > 0) || !std::isfinite(left)) return signed_percent(left);
+    if (!(u > 0) || !std::isfinite(left)) return report::signed_share(left);
     const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(u))), 0, 6);
     const double shown = std::abs(100 * left) < .5 * std::pow(10, -decimals) ? 0 : 100 * left;
     return fmt::format("{}{:.{}f} ± {:.{}f} %", shown < 0 ? "−" : "", std::abs(shown), decimals, u,
@@ -109,10 +105,10 @@ std::string budget_sentence(const ComparedNumber& number) {
     std::string text =
         fmt::format("{}: {}", number.title,
                     number.is_norm ? report::share(number.difference, 3)
-                                   : signed_percent(number.difference) + " of the reference");
+                                   : report::signed_share(number.difference) + " of the reference");
     for (std::size_t i = 0; i < number.explained.size(); ++i)
         text += fmt::format("{} {} {}", i == 0 ? " =" : ",", number.explained[i].title,
-                            signed_percent(number.explained[i].change));
+                            report::signed_share(number.explained[i].change));
     text +=
         fmt::format("{} {}; tolerance {}", number.explained.empty() ? "; with U:" : ", left",
                     left_text(number.left(), number.uncertainty), report::share(number.tolerance));

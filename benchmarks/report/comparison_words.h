@@ -20,8 +20,6 @@ std::optional<double> difference_of(const ComparedNumber& number, std::size_t k)
 std::string value_of(const ComparedNumber& number, std::optional<double> value);
 /// The reference with its bar: "16.489 ± 0.001 N"; of norms empty.
 std::string reference_of(const ComparedNumber& number);
-/// With sign: "+1.45 %".
-std::string signed_percent(double part);
 /// "−0.33 ± 0.41 %": both are relative.
 std::string left_text(double left, double uncertainty);
 

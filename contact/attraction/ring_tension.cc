@@ -5,16 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/base/gauss_legendre.h"
+
 namespace tricontact::contact {
 
 namespace {
 
-// Gauss' rule of four points: exact for the smooth law, a polynomial of the fourth degree, times
-// radius and weight of a point.
-constexpr std::array<double, 4> gauss_place{-.8611363115940526, -.3399810435848563,
-                                            .3399810435848563, .8611363115940526};
-constexpr std::array<double, 4> gauss_weight{.3478548451374538, .6521451548625461,
-                                             .6521451548625461, .3478548451374538};
+// Exact for the smooth law, a polynomial of the fourth degree, times radius and weight of a point.
+constexpr int points_of_gap = 4;
 
 /// The part [low, high] of [0, 1] in which a gap that goes from `first` to `last` is less than
 /// `end`.
@@ -33,6 +31,7 @@ template <class Add>
 void RingTension::integrate(const Attraction& law, std::span<const double> gap,
                             const Add& add) const {
     const auto& r = points_.x;
+    const QuadratureRule& rule = gauss_legendre(points_of_gap);
     const double inner = r[0];
     add(0, 0, 0., gap[0], std::numbers::pi * inner * inner);
     for (std::size_t i = 0; i + 1 < r.size(); ++i) {
@@ -40,9 +39,9 @@ void RingTension::integrate(const Attraction& law, std::span<const double> gap,
         if (!std::isfinite(first) || !std::isfinite(last)) continue;
         const auto [low, high] =
             law.decays ? std::array{0., 1.} : part_below(first, last, law.distance);
-        for (std::size_t k = 0; k < gauss_place.size(); ++k) {
-            const double share = std::midpoint(low, high) + (high - low) / 2 * gauss_place[k];
-            const double width = (high - low) / 2 * gauss_weight[k] * (r[i + 1] - r[i]);
+        for (int k = 0; k < points_of_gap; ++k) {
+            const double share = std::lerp(low, high, rule.points[k]);
+            const double width = (high - low) * rule.weights[k] * (r[i + 1] - r[i]);
             add(i, i + 1, share, std::lerp(first, last, share),
                 2 * std::numbers::pi * std::lerp(r[i], r[i + 1], share) * width);
         }

@@ -51,6 +51,8 @@ struct ContactPoints {
     bool mirrored = false;
     /// A grid of one period of a surface that has no edge.
     bool periodic = false;
+    /// A grid between whose points pressures are bilinear: areas are those of these functions.
+    bool bilinear = false;
     /// Length L along y [m] of a contact that the outermost points in y bound, since the indenter
     /// or the substrate ends there; 0: it may go on beyond them.
     double line_length = 0;

@@ -9,6 +9,7 @@
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
 #include "contact/solvers/conjugate_gradients.h"
+#include "contact/solvers/contact_region.h"
 
 // On a set of cells that touch, u = d - h. Pressures are linear in d there,
 //
@@ -134,7 +135,9 @@ class CellAdhesion::Set {
             elastic_ += area_[i] * pressure_[i] * displacement_[i] / 2;
             work += area_[i] * std::abs(pressure_[i] * displacement_[i]);
         }
-        length_ = larger(std::abs(depth_), magnitude > 0 ? work / magnitude : 0);
+        // A last cell at its own height has no pressure: what it takes to let go is a length then.
+        length_ = larger(larger(std::abs(depth_), magnitude > 0 ? work / magnitude : 0),
+                         law_.strength_ / *std::ranges::max_element(by_depth_));
     }
 
     void solve() {
@@ -308,16 +311,22 @@ NormalSolution CellAdhesion::follow(const std::vector<double>& height, const Nor
     return after;
 }
 
-CellAdhesion::Pulled CellAdhesion::pull(const std::vector<double>& height,
-                                        const NormalSolution& before) const {
+PullOff CellAdhesion::pull(const std::vector<double>& height, const NormalSolution& before) const {
     Set set(*this, height, before);
-    Pulled found{before, before.indentation};
+    const auto radius = [&](const NormalSolution& s) {
+        return shared_radius(compliance_.points(), s.share);
+    };
+    PullOff found{-before.force, radius(before), before.indentation, before.indentation};
     if (set.is_empty()) return found;
     NormalSolution way = before;
     set.solve();
     lower(set, {NormalControl::Kind::indentation, -infinity}, way, [&](const Set& now) {
         found.last_indentation = now.depth();
-        if (now.force() < found.least.force) found.least = now.solution();
+        if (!(now.force() < -found.force)) return;
+        const NormalSolution least = now.solution();
+        found.force = -least.force;
+        found.radius = radius(least);
+        found.indentation = least.indentation;
     });
     return found;
 }

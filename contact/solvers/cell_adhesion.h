@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/attraction/attraction.h"
+#include "contact/base/pull_off.h"
 #include "contact/compliances/compliance.h"
 #include "contact/solvers/control.h"
 #include "contact/solvers/normal_solver.h"
@@ -24,13 +25,8 @@ class CellAdhesion {
     /// as AdhesiveNormal::follow().
     NormalSolution follow(const std::vector<double>& height, const NormalControl& control,
                           const NormalSolution& before) const;
-    /// Pulls off by the depth, from this state until nothing holds: the state of least force,
-    /// and the last one.
-    struct Pulled {
-        NormalSolution least;
-        double last_indentation;
-    };
-    Pulled pull(const std::vector<double>& height, const NormalSolution& before) const;
+    /// Pulls off by the depth, from this state until nothing holds.
+    PullOff pull(const std::vector<double>& height, const NormalSolution& before) const;
 
   private:
     class Set;

@@ -28,15 +28,6 @@ double half_width_squared(double m1, double m2) {
     return discriminant >= 0 ? 6 * m1 - std::sqrt(discriminant) : -1;
 }
 
-/// Whether pressures are bilinear between the points of a grid: the area of a corner is then a
-/// quarter of what its cell and its mirror images would have, of a cell's middle all of it.
-bool are_bilinear(const ContactPoints& points) {
-    if (points.n_x < 2 || points.n_y < 2) return false;
-    const double cell = points.spacing[0] * points.spacing[1];
-    const double corner = points.mirrored ? cell / 2 : cell / 4;
-    return std::abs(points.area.front() / corner - 1) < 1e-6;
-}
-
 /// Mean of the square and of the fourth power of the distance over a point's own function, which
 /// for bilinear ones has the variance h^2/6 and the fourth moment h^4/15 along each axis.
 struct OwnMoments {
@@ -44,7 +35,7 @@ struct OwnMoments {
     double fourth = 0;
 
     explicit OwnMoments(const ContactPoints& points) {
-        if (!are_bilinear(points)) return;
+        if (!points.bilinear) return;
         const auto [h, k] =
             std::pair(points.spacing[0] * points.spacing[0], points.spacing[1] * points.spacing[1]);
         variance = {h / 6, k / 6};

@@ -76,7 +76,7 @@ class Pulling {
     }
 
     /// The state of least force: between those that were found, or the last one.
-    LettingGo found() const {
+    PullOff found() const {
         const auto least = std::ranges::min_element(states_, {}, &PulledState::force);
         PulledState there = *least;
         if (least != states_.begin() && least + 1 != states_.end()) {
@@ -133,8 +133,8 @@ class Pulling {
 
 }  // namespace
 
-std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoints& points,
-                                  const std::vector<double>& height, const NormalControl& hardest) {
+std::optional<PullOff> pull_off(const AdhesiveNormal& solver, const ContactPoints& points,
+                                const std::vector<double>& height, const NormalControl& hardest) {
     const NormalSolution pressed = solver.settle(height, hardest, {});
     NormalSolution now = solver.settle(height, {NormalControl::Kind::force, 0}, pressed);
     const auto is_resolved = [&](double radius) {
@@ -142,10 +142,9 @@ std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoi
     };
     if (!still_touches(now) || !is_resolved(shared_radius(points, now.share))) return {};
     if (const CellAdhesion* const cells = solver.by_cell()) {
-        const auto [least, last] = cells->pull(height, now);
-        const double radius = shared_radius(points, least.share);
-        if (!is_resolved(radius)) return {};
-        return LettingGo{-least.force, radius, least.indentation, last};
+        const PullOff found = cells->pull(height, now);
+        if (!is_resolved(found.radius)) return {};
+        return found;
     }
     const double area = shared_area(points, now.share), work = solver.attraction().work();
     // F d of a contact as stiff as this, whose mean displacement under its tension is u.
@@ -158,7 +157,7 @@ std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoi
     const double length = stiffness > 0 ? std::sqrt(work * area / stiffness) : reach;
     Pulling pulling(solver, points, height);
     if (!pulling.go(std::move(now), length)) return {};
-    const LettingGo found = pulling.found();
+    const PullOff found = pulling.found();
     if (!is_resolved(found.radius)) return {};
     return found;
 }
@@ -167,20 +166,20 @@ std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoi
 // of a line, and adds to w what goes with rho/a. Measured on 10 to 40 points in (pi w R^2/K)^(1/3):
 // forces of JKR's sphere too large by 1.45, 2.8, 4.8 % at rho/a = 0.13, 0.26, 0.52, about the power
 // 0.9. Zones of three points follow that to 0.1 %; of two, they are held by single ones.
-std::optional<LettingGo> pull_off_without_range(const AdhesiveNormal& narrow,
-                                                const AdhesiveNormal& wide,
-                                                const ContactPoints& points,
-                                                const std::vector<double>& height,
-                                                const NormalControl& hardest) {
+std::optional<PullOff> pull_off_without_range(const AdhesiveNormal& narrow,
+                                              const AdhesiveNormal& wide,
+                                              const ContactPoints& points,
+                                              const std::vector<double>& height,
+                                              const NormalControl& hardest) {
     static const double share = 1 / (std::pow(wide_zone / narrow_zone, order_of_zone) - 1);
     const auto fine = pull_off(narrow, points, height, hardest),
                coarse = pull_off(wide, points, height, hardest);
     if (!fine || !coarse) return {};
-    const auto limit = [&](double LettingGo::*value) {
+    const auto limit = [&](double PullOff::*value) {
         return (*fine).*value + share * ((*fine).*value - (*coarse).*value);
     };
-    return LettingGo{limit(&LettingGo::force), limit(&LettingGo::radius),
-                     limit(&LettingGo::indentation), limit(&LettingGo::last_indentation)};
+    return PullOff{limit(&PullOff::force), limit(&PullOff::radius), limit(&PullOff::indentation),
+                   limit(&PullOff::last_indentation)};
 }
 
 }  // namespace tricontact::contact

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
 
 #include "contact/base/between_rows.h"
 #include "contact/base/error.h"
@@ -33,6 +36,17 @@ struct FoundCase {
     std::vector<InputContribution> contributions = {};
     statistics::Correlations correlations = {};
 };
+
+/// The case under a series of loops, with what was found in the place of what it states.
+Case case_under(const std::string& case_file, std::vector<std::string> overrides,
+                double normal_force, double amplitude) {
+    overrides.push_back(fmt::format("load.normal_force={} N", normal_force));
+    overrides.push_back(fmt::format("load.shift_amplitude={} m", amplitude));
+    Case c = io::read_case(case_file, overrides);
+    using enum Case::Extra;
+    c.refuse_extras("predictions of loops", {elastic_interface, bulk_stress, relaxing_indenter});
+    return c;
+}
 
 /// A cycle of a model: forces over shifts of the drive, along both branches.
 class ComputedLoop {
@@ -139,17 +153,11 @@ class LoopRuns {
         scale_friction(numbers.friction, series.friction);
         std::vector<std::string> overrides = runs_.overrides;
         std::ranges::copy(overrides_of(numbers, at_.found), std::back_inserter(overrides));
-        overrides.push_back(fmt::format("load.normal_force={} N", series.normal_force));
-        overrides.push_back(fmt::format("load.shift_amplitude={} m", series.amplitude));
         if (rig.rig_compliance > 0)
             overrides.push_back(
                 fmt::format("rig.tangential_stiffness={} N/m", 1 / rig.rig_compliance));
         if (steps) overrides.push_back(fmt::format("load.steps_per_quarter={}", *steps));
-        Case c = io::read_case(case_file_, overrides);
-        using enum Case::Extra;
-        c.refuse_extras("predictions of loops",
-                        {elastic_interface, bulk_stress, relaxing_indenter});
-        return c;
+        return case_under(case_file_, std::move(overrides), series.normal_force, series.amplitude);
     }
 
     SeriesPrediction computed(LoopPrediction& prediction, const SeriesReading& series) const {
@@ -239,6 +247,35 @@ bool has_friction_loops(const std::string& path, const std::vector<std::string>&
         io::fail(wear->place, "[wear]", "loops are compared with contacts that do not wear",
                  "leave it out, tricontact run computes it");
     return true;
+}
+
+void check_loop_models(const IdentificationInput& input, const std::string& case_file,
+                       const std::vector<std::string>& overrides) {
+    const std::optional<double> normal_force = input.rig.load.normal_force;
+    if (!normal_force || !io::read_rig_document(case_file, overrides).find("models")) return;
+    double amplitude = 0;
+    for (const auto* table : input.all(IdentificationInput::Measurement::friction_loop))
+        for (const double shift : table->given) amplitude = std::max(amplitude, std::abs(shift));
+    // What a guess alone is refused for is judged by what the loops tell.
+    std::optional<contact::InputError> why;
+    for (const double factor : {1., .1, 10.}) {
+        Case guessed = input.rig;
+        guessed.substrate.young *= factor;
+        std::vector<std::string> all = overrides;
+        std::ranges::copy(overrides_of(guessed, {.free = input.parameters}),
+                          std::back_inserter(all));
+        const auto is_of_friction = [](const std::string& one) {
+            return one.starts_with("friction.");
+        };
+        if (std::ranges::none_of(all, is_of_friction)) all.emplace_back("friction.coefficient=0.5");
+        try {
+            case_under(case_file, std::move(all), *normal_force, amplitude);
+            return;
+        } catch (const contact::InputError& refused) {
+            if (!why) why = refused;
+        }
+    }
+    throw contact::InputError(*why);
 }
 
 LoopPredictions predict_loops(const IdentificationStudy& study, const std::string& case_file,

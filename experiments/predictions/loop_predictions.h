@@ -67,6 +67,11 @@ struct LoopPredictions {
 /// Throws contact::InputError where it has [record] or [wear] as well.
 bool has_friction_loops(const std::string& path, const std::vector<std::string>& overrides);
 
+/// Throws contact::InputError where models of the case cannot run whatever the loops tell: before
+/// these are fitted, which takes longer.
+void check_loop_models(const IdentificationInput& input, const std::string& case_file,
+                       const std::vector<std::string>& overrides);
+
 /// Runs the models of the case at the mean load, amplitude and friction of each series, the drive's
 /// shift prescribed behind the rig; without `models` none. Throws contact::InputError,
 /// contact::NotConverged.

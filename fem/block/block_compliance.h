@@ -25,7 +25,8 @@ class BlockCompliance final : public contact::Compliance {
     double missing_reaction() const;
     /// Displacements and pressures of all nodes and elements after the last displacement(), from
     /// which the next solution begins; assigned, it begins from others.
-    std::vector<double>& last_solution() const { return state_; }
+    const std::vector<double>& last_solution() const { return state_; }
+    std::vector<double>& last_solution() { return state_; }
     int solutions() const { return n_solutions_; }    ///< so far
     int iterations() const { return n_iterations_; }  ///< in all of them
     const BlockGrid& grid() const { return solver_.mixed().grid(); }

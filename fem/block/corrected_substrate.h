@@ -11,7 +11,7 @@ namespace tricontact::fem {
 /// A block by deferred correction: steps see the lattice L plus what the block displaced otherwise
 /// under the last tractions that were looked at, u = L t + correction.
 struct BlockElasticity {
-    std::shared_ptr<const BlockCompliance> block;
+    std::shared_ptr<BlockCompliance> block;
     std::shared_ptr<const LatticeCompliance> lattice;
 };
 

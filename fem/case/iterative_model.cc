@@ -61,7 +61,7 @@ std::unique_ptr<contact::Model> make_iterative(const Case& c, const meshes::Laye
     if (grid->n_nodes() < worth_threads) n_threads = 1;
     const double tolerance = c.of<Settings>().tolerance;
     BlockElasticity elasticity;
-    elasticity.block = std::make_shared<const BlockCompliance>(
+    elasticity.block = std::make_shared<BlockCompliance>(
         std::move(problem), *grid, of_contact_tolerance * tolerance, n_threads);
     elasticity.lattice =
         std::make_shared<const LatticeCompliance>(*grid, elasticity.block->points(), n_threads);

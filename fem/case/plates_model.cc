@@ -178,7 +178,7 @@ contact::StepRecord PlatesModel::advance(const contact::LoadStep& step) {
 contact::Scales PlatesModel::scales() const {
     return lower_->model().scales();
 }
-contact::Scales PlatesModel::upper_scales() const {
+std::optional<contact::Scales> PlatesModel::upper_scales() const {
     return upper_->model().scales();
 }
 contact::Surface PlatesModel::surface() const {

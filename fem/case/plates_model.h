@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "contact/section_scales.h"
 #include "contact/surface_model.h"
 
 namespace tricontact::fem {
@@ -14,7 +13,7 @@ namespace tricontact::fem {
 /// contact of the model: force, depth, surface. Depths are those of either plate to the mean of the
 /// body's middle plane. Both contacts carry the same force; each is pressed on the surface that the
 /// pressures of the other leave it, one after the other until that surface stands still.
-class PlatesModel final : public contact::Model, public contact::OpposedContact {
+class PlatesModel final : public contact::Model {
   public:
     /// On points that are those of both contacts.
     struct Compliances {
@@ -43,7 +42,8 @@ class PlatesModel final : public contact::Model, public contact::OpposedContact 
     void release() override;
     void enlarge(const contact::ContactAtEdge& reached) override;
     contact::Scales scales() const override;
-    contact::Scales upper_scales() const override;
+    /// The indentation is that of the upper plate.
+    std::optional<contact::Scales> upper_scales() const override;
     contact::Surface surface() const override;
     std::vector<contact::ContactState> contact_states() const override;
     double limit_tangential_ratio() const override;

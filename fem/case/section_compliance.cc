@@ -12,6 +12,7 @@
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 #include "fem/case/mesh_choice.h"
+#include "fem/memory.h"
 #include "fem/settings.h"
 
 namespace tricontact::fem {
@@ -62,8 +63,21 @@ void refuse_too_large(const Case& c, double half_width) {
         half_width, c.has_hole() ? ", which the hole closes around" : ""));
 }
 
+/// Before a mesh is made that takes hours: by nested dissection the factor of n unknowns in a plane
+/// has some 8 n log2(n) entries, and below the patch alone are eight unknowns an element.
+void require_memory_for(const planar::Sizes& sizes) {
+    const double unknowns = 8. * sizes.n * sizes.n_deep;
+    const double needed = 64 * unknowns * std::log2(unknowns), available = available_bytes();
+    if (needed > available)
+        throw contact::InputError(fmt::format(
+            "fem.size: elements of {:.4g} m, {} across the patch, need {:.1f} GB of memory, {:.1f} "
+            "GB are there; choose a larger fem.size",
+            sizes.size, sizes.n, needed / 1e9, available / 1e9));
+}
+
 planar::Sizes fitting_sizes(const Case& c, const SectionPatch& patch) {
     const planar::Sizes sizes = sizes_of(c, patch);
+    require_memory_for(sizes);
     if (sizes.patch() > widest_patch(c) * (1 + 1e-9)) refuse_too_large(c, sizes.patch());
     return sizes;
 }

@@ -94,8 +94,12 @@ std::unique_ptr<contact::Model> make_section_model(const ModelKind& kind, const 
     const double half = std::min(margin * (widest + ring) + contact::path_reach(c, radius)[0],
                                  widest_patch(c) - size);
     if (say && !settings.size)
-        say(fmt::format("{}: elements of {:.4g} mm, {:.3g} across the contact", name, 1e3 * size,
-                        radius / size));
+        say(fmt::format(
+            "{}: elements of {:.4g} mm, {:.3g} across the contact{}", name, 1e3 * size,
+            radius / size,
+            widest > 2 * radius
+                ? fmt::format(", {:.3g} across that with the other plate", widest / size)
+                : ""));
     if (c.kept.find<contact::UpperPlate>()) return make_plates_model(kind, c, {half, size});
     const auto substrate = [=](const Case& of, double room) {
         const SectionPatch patch = section_patch(of, room, size);

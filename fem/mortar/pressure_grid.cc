@@ -158,6 +158,7 @@ ContactPoints pressure_grid(const Rectangle& rectangle, double spacing, bool mir
     }
     ContactPoints grid = ContactPoints::grid(n[0] + 1, n[1] + 1, rectangle.low, step);
     grid.mirrored = mirrored;
+    grid.bilinear = true;
     for (int j = 0; j <= n[1]; ++j)
         for (int i = 0; i <= n[0]; ++i) {
             double& area = grid.area[static_cast<std::size_t>(j) * grid.n_x + i];

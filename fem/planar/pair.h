@@ -38,9 +38,10 @@ class SectionCompliance final : public DenseCompliance {
     /// Of the body whose support lacks the most, along z.
     std::optional<std::array<double, 3>> missing_reaction(
         std::span<const double> p, const contact::TangentialField& t) const override;
-    /// Rounding, times K/G of up to 1e6; ten times that where one node holds a body, which gives
-    /// way there by what rounding leaves of the balance.
-    double allowed_missing_reaction() const override { return is_pinned_ ? 1e-6 : 1e-7; }
+    /// Rounding, times K/G of up to 1e6, and more of it the finer elements are: 1.02e-7 has been
+    /// seen of 60 across an attracted contact. More where one node holds a body, which gives way
+    /// there by what rounding leaves of the balance.
+    double allowed_missing_reaction() const override { return is_pinned_ ? 1e-6 : 3e-7; }
 
     /// What interior() needs of each body.
     struct Part {

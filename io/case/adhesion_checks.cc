@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "bem/settings.h"
@@ -61,6 +63,21 @@ void check_works(const Case& c, const Document& document) {
                "omit it, or the range");
 }
 
+/// A sphere that is not pressed on a half-space: by Johnson, Kendall and Roberts a^3 = 9 pi w R^2/
+/// (2 E*) without a range, by Derjaguin, Muller and Toporov a third of that with a long one.
+void check_unloaded_sphere(const Case& c, const Document& document) {
+    if (c.indenter.shape != Case::Shape::sphere || c.layer.thickness) return;
+    const double factor = c.adhesion->is_short_ranged() ? 4.5 : 1.5, r = c.indenter.radius;
+    const double a = std::cbrt(factor * std::numbers::pi * c.adhesion->work * r * r /
+                               c.materials().effective_modulus());
+    if (a > largest_sphere_ratio * r)
+        refuse(document, "adhesion.work",
+               "without a load it pulls the sphere into a contact of the radius " + rounded(a) +
+                   " m, more than " + rounded(largest_sphere_ratio) + " of its own, " + rounded(r) +
+                   " m: small deformations are assumed",
+               "check the units of the work, the radius and the moduli");
+}
+
 /// Cells that let go one by one.
 void check_edge_of_cells(const Case& c, const Document& document) {
     if (!c.of<contact::AdhesiveEdge>().is_by_cell()) return;
@@ -121,6 +138,7 @@ void check_adhesion(const Case& c, const Document& document) {
     if (!c.adhesion) return;
     const std::string key = "adhesion.work";
     check_works(c, document);
+    check_unloaded_sphere(c, document);
     if (!c.is_pressed_only()) check_adhesive_friction(c, document);
     if (c.law != Case::Law::linear)
         refuse(document, key, "finite strains know no surfaces that attract each other",

@@ -15,10 +15,9 @@ using contact::Case;
 using contact::HalfSpaceScales;
 using contact::ModelKind;
 
-constexpr double largest_sphere_ratio = 0.5;  // a/R: the contact is far from the equator
-constexpr double fewest_cells = 2;            // per Hertz radius
-constexpr double fewest_springs = 10;         // in the contact
-constexpr double most_cells = 4096;           // along one side of the grid: 16.8 million cells
+constexpr double fewest_cells = 2;     // per Hertz radius
+constexpr double fewest_springs = 10;  // in the contact
+constexpr double most_cells = 4096;    // along one side of the grid: 16.8 million cells
 constexpr double most_steps = 1e6;
 constexpr double most_point_steps = 1e11;  // days of computing
 

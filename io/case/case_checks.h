@@ -17,6 +17,9 @@ namespace tricontact::io {
 /// Of an indenter over the substrate, up to which layers count it as rigid.
 inline constexpr double largest_compliance_ratio = 1e-3;
 
+/// Of a contact's radius over that of a sphere, whose equator it stays far from.
+inline constexpr double largest_sphere_ratio = 0.5;
+
 /// Whether a model of the case has this property of ModelKind.
 template <class Property>
 bool computes(const contact::Case& c, const Property& property) {

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <utility>
 
+#include "contact/base/gauss_legendre.h"
 #include "contact/base/root.h"
-#include "theory/line_load.h"
 
 namespace tricontact::theory {
 
@@ -52,7 +52,7 @@ class DugdaleRing {
     /// int_a^c f(x) (c^2 - x^2)^(-1/2) dx, x = c cos t.
     template <class F>
     double over_ring(double a, double width, const F& f) const {
-        const QuadratureRule& rule = gauss_legendre(points_of_ring);
+        const contact::QuadratureRule& rule = contact::gauss_legendre(points_of_ring);
         const double length = std::atan2(root_of(a, width), a), c = a + width;
         double sum = 0;
         for (std::size_t i = 0; i < rule.points.size(); ++i) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/base/gauss_legendre.h"
+
 namespace tricontact::theory {
 
 namespace {
@@ -25,7 +27,7 @@ WaveNumbers::WaveNumbers(double radius_over_thickness)
       width_(end_of_deficit / static_cast<double>(n_panels_)),
       points_(n_panels_ * points_per_panel),
       weights_(points_.size()) {
-    const QuadratureRule& panel = gauss_legendre(points_per_panel);
+    const contact::QuadratureRule& panel = contact::gauss_legendre(points_per_panel);
     const Eigen::Map<const Eigen::VectorXd> points(panel.points.data(), points_per_panel),
         weights(panel.weights.data(), points_per_panel);
     for (Eigen::Index p = 0; p < n_panels_; ++p) {

@@ -2,8 +2,6 @@
 
 #include <Eigen/Core>
 
-#include "theory/line_load.h"
-
 namespace tricontact::theory {
 
 /// Quadrature over x = k b in (0, 24), where the deficit of a layer against the half-space lives:

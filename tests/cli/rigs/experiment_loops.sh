@@ -42,6 +42,7 @@ beside "is of a rig that rolls, and measurement.friction_loop of one that does n
 beside "loops are compared with contacts that do not wear" 's/^\[contact\].*/[wear]\ncoefficient = "1e-5 mm3\/(N m)"\ncycles = 10\n&/'
 sed 's/^models = \["mdr"\].*//' loops.toml >alone.toml
 "$program" experiment alone.toml --output alone --quiet | grep -q "The file names no models" || complain "without models"
+beside "fem models a layer, but the case has no substrate.thickness" 's/^models = \["mdr"\].*/models = ["fem"]/'
 cp "$source_dir"/examples/records/synthetic_shakedown.toml record.toml
 sed -i 's/^runs = .*/runs = ["loops.csv"]/' record.toml
 refused "has a column cycle, as friction loops have" experiment "$work/record.toml"

@@ -144,6 +144,13 @@ bem.cells_per_radius = 8
     EXPECT_NEAR(last.cycle.normal_force, force, .04 * force);
 }
 
+// A fifth of the depth in one cycle: profiles would oscillate until the contact has no end.
+TEST(Wear, ACycleThatWearsMuchOfTheDepthIsRefused) {
+    const auto c =
+        ball(shift, "coefficient = \"1 mm3/(N m)\"\ncycles = 10", "[mdr]\nsprings = 1000");
+    EXPECT_THROW(run_wear(c, *mdr::make_model(c)), contact::InputError);
+}
+
 // Archard: where all slips, dV = k_w/mu dW, whatever slips how far.
 TEST(Wear, VolumeIsWorkOverFrictionInGrossSlip) {
     const auto c =

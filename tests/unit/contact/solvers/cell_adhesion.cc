@@ -73,6 +73,17 @@ TEST(CellAdhesion, HertzPunchAndThenJohnsonKendallAndRoberts) {
     }
 }
 
+// At d = 0 of hardly any adhesion the last cell touches at its own height, without a pressure.
+TEST(CellAdhesion, ALastCellWithoutPressurePassesTheAudit) {
+    const CellBall ball(8);
+    contact::Case c = ball.c;
+    c.adhesion->work *= 1e-7;
+    const auto model = bem::make_model(c, 1);
+    ball.press(*model, 2);
+    EXPECT_LT(std::abs(ball.press(*model, 0).normal_force), 1e-6 * ball.force());
+    EXPECT_TRUE(model->audit().passed());
+}
+
 // Rows of cells hold the front: the largest tension is above JKR's, by 1.4 over the cells in its
 // radius (17, 9 %; 5.4 % at 32, 2.1 % at 64), an error of the first order.
 TEST(CellAdhesion, PullOffIsOfTheFirstOrder) {

@@ -30,9 +30,11 @@ TEST(ContactRegionMoments, MomentsOfBilinearPressuresAreThoseOfTheirFunctions) {
     for (std::size_t k = 0; k < points.size(); ++k)
         for (const double x : {points.x[k], points.y[k]})
             if (std::abs(std::abs(x) - h * n / 2) < h / 2) points.area[k] /= 2;
+    points.bilinear = true;
     const std::vector<double> at_points = hertz_on(points);
     const double a = contact::contact_radius(points, at_points, {0, 0});
     ContactPoints cells = points;
+    cells.bilinear = false;
     cells.area.assign(cells.size(), h * h);
     const double of_forces = contact::contact_radius(cells, at_points, {0, 0});
     EXPECT_NEAR(a, 1, .03);  // the root at the edge, cut by straight lines: O(h)

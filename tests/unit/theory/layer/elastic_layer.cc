@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/base/error.h"
+#include "contact/base/gauss_legendre.h"
 #include "tests/unit/mdr/profiles.h"
 #include "tests/unit/theory/layer/layer_cases.h"
 #include "theory/contact_search.h"
@@ -50,7 +51,7 @@ std::vector<double> series(double nu, LayerBase base, int n) {
 
 TEST(ElasticLayer, GaussRule) {
     for (const int n : {1, 2, 7, 30, 301}) {
-        const auto rule = theory::gauss_legendre(n);
+        const auto rule = contact::gauss_legendre(n);
         ASSERT_EQ(rule.points.size(), n);
         for (const int power : {0, 1, n, 2 * n - 1}) {
             double sum = 0;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/base/gauss_legendre.h"
 #include "tests/unit/theory/layer/layer_cases.h"
 #include "theory/layer/elastic_layer.h"
 
@@ -23,7 +24,7 @@ class HankelCheck {
   public:
     HankelCheck(const theory::LayerContact& c, const theory::ElasticLayer& layer)
         : contact_(c), layer_(layer) {
-        const auto over_angle = theory::gauss_legendre(60), panel = theory::gauss_legendre(30);
+        const auto over_angle = contact::gauss_legendre(60), panel = contact::gauss_legendre(30);
         for (int i = 0; i < 60; ++i) {  // r = a sin(angle): smooth at the edge
             const double angle = pi / 2 * over_angle.points[i], a = c.contact_radius;
             radii_.push_back(a * std::sin(angle));

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "contact/base/gauss_legendre.h"
 #include "tests/unit/theory/layer/layer_cases.h"
 #include "theory/layer/elastic_layer.h"
 #include "theory/rolling/oscillating_rolling.h"
@@ -33,7 +34,7 @@ TEST(LayerShakedown, IsHertzOnAThickLayer) {
 // x = W everything, mirrored.
 double limit_by_pressures(const theory::LayerContact& c, double w) {
     const double a = c.contact_radius;
-    const auto rule = theory::gauss_legendre(60);
+    const auto rule = contact::gauss_legendre(60);
     double sum = 0;
     // r dr from W to a, over the half angle acos(W/r) to both sides; x = r^2 has no root at W.
     for (std::size_t i = 0; i < rule.points.size(); ++i) {
