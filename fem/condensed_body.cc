@@ -50,7 +50,7 @@ double CondensedBody::allowed_missing_reaction(const contact::ContactPoints& poi
 contact::Interior CondensedBody::interior(const contact::ContactPoints& points,
                                           std::span<const double> p,
                                           const TangentialField& t) const {
-    if (!whole_) whole_ = std::make_unique<WholeBody>(*problem_);
+    if (!whole_) whole_ = std::make_unique<WholeBody>(*problem_, WholeBody::Solution::block);
     const Discretisation& discretisation = whole_->discretisation;
     const auto& unknown = discretisation.unknowns.of_contact;
     const std::size_t n = points.size(), n_nodes = discretisation.surface.points.size();
