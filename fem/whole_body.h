@@ -1,45 +1,42 @@
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <span>
 #include <vector>
 
-#include "fem/block/block_solver.h"
 #include "fem/body_parts.h"
 #include "fem/discretisation.h"
 
 namespace tricontact::fem {
 
-/// All of a layer: its discretisation and what solves for its displacements.
+/// Displacements [m] of all free unknowns of a body under the forces [N] on them, without a factor.
+/// May throw contact::NotConverged.
+using InsideSolver = std::function<std::vector<double>(std::span<const double> forces)>;
+/// Makes one for a body; empty where the body does not suit.
+using InsideSolverOf = std::function<InsideSolver(const LayerProblem&, const Discretisation&)>;
+
+/// All of a layer: its discretisation and what solves for its displacements: `without_factor`, or a
+/// factor where that does not suit or does not converge.
 class WholeBody {
   public:
-    enum class Solution : std::uint8_t {
-        factor,
-        block,  ///< by iteration where the body is a block that its tractions alone load
-    };
     /// Throws contact::InputError, std::bad_alloc.
-    explicit WholeBody(const LayerProblem& problem, Solution solution = Solution::factor);
+    explicit WholeBody(const LayerProblem& problem, const InsideSolverOf& without_factor = {});
 
     /// Displacements [m] under the forces [N] on all unknowns. Most bodies are asked once: factors
     /// are kept from the second time on. Until then a factor takes as long as a condensation by one
     /// thread; throws contact::NotConverged, std::bad_alloc.
     std::vector<double> displacement(std::span<const double> applied);
 
+    /// The same by a factor in any case.
+    std::vector<double> by_factor(std::span<const double> applied);
+    bool is_without_factor() const { return static_cast<bool>(without_factor_); }
+
     const Discretisation discretisation;
 
   private:
-    struct Block {
-        Block(const Discretisation& body, const BlockGrid& grid);
-        std::vector<double> displacement(std::span<const double> forces);
-
-        BlockSolver solver;
-        std::vector<std::size_t> places;  ///< of unknowns
-    };
-    static std::optional<Block> block_of(const LayerProblem& problem, const Discretisation& body);
     std::vector<double> balanced(std::span<const double> applied) const;
-    std::vector<double> by_factor(std::span<const double> applied);
 
-    std::optional<Block> block_;
+    InsideSolver without_factor_;
     std::vector<BodyPart> parts_;  // analysed when first needed
     bool was_asked_ = false;       // to solve by factors
 };
