@@ -33,7 +33,11 @@ class CondensedBody {
                                            const contact::TangentialField& t) const;
     /// What that may be over the force, for the rounding of a stiff material.
     double allowed_missing_reaction(const contact::ContactPoints& points) const;
-    /// Factorises the whole body, see WholeBody.
+    /// Of interior(), before it is asked for.
+    void solve_inside_by(InsideSolverOf without_factor) {
+        inside_solver_of_ = std::move(without_factor);
+    }
+    /// Solves for the whole body, see WholeBody.
     contact::Interior interior(const contact::ContactPoints& points, std::span<const double> p,
                                const contact::TangentialField& t) const;
 
@@ -42,6 +46,7 @@ class CondensedBody {
     std::array<std::vector<double>, 3> missing_reaction_;
     double round_radius_;
     std::optional<PressureTransfer> transfer_;
+    InsideSolverOf inside_solver_of_;
     mutable std::unique_ptr<WholeBody> whole_;
 };
 

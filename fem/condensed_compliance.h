@@ -36,7 +36,11 @@ class CondensedCompliance final : public DenseCompliance {
     double allowed_missing_reaction() const override {
         return body_.allowed_missing_reaction(points());
     }
-    /// Factorises the whole body, see WholeBody.
+    /// Of interior(), before it is asked for.
+    void solve_inside_by(InsideSolverOf without_factor) {
+        body_.solve_inside_by(std::move(without_factor));
+    }
+    /// Solves for the whole body, see WholeBody.
     std::unique_ptr<const contact::Interior> interior(
         std::span<const double> p, const contact::TangentialField& t) const override {
         return std::make_unique<contact::Interior>(body_.interior(points(), p, t));

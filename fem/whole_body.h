@@ -1,56 +1,44 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "fem/body_parts.h"
 #include "fem/discretisation.h"
-#include "fem/memory.h"
-#include "fem/one_blas_thread.h"
 
 namespace tricontact::fem {
 
-/// All of a layer: its discretisation and its stiffness, analysed. Throws contact::InputError,
-/// std::bad_alloc.
+/// Displacements [m] of all free unknowns of a body under the forces [N] on them, without a factor.
+/// May throw contact::NotConverged.
+using InsideSolver = std::function<std::vector<double>(std::span<const double> forces)>;
+/// Makes one for a body; empty where the body does not suit.
+using InsideSolverOf = std::function<InsideSolver(const LayerProblem&, const Discretisation&)>;
+
+/// All of a layer: its discretisation and what solves for its displacements: `without_factor`, or a
+/// factor where that does not suit or does not converge.
 class WholeBody {
   public:
-    explicit WholeBody(const LayerProblem& problem)
-        : discretisation(problem), parts_(parts_of(discretisation, Elimination::cheapest)) {}
+    /// Throws contact::InputError, std::bad_alloc.
+    explicit WholeBody(const LayerProblem& problem, const InsideSolverOf& without_factor = {});
 
     /// Displacements [m] under the forces [N] on all unknowns. Most bodies are asked once: factors
-    /// are kept from the second time on. Until then it takes as long as a condensation by one
+    /// are kept from the second time on. Until then a factor takes as long as a condensation by one
     /// thread; throws contact::NotConverged, std::bad_alloc.
-    std::vector<double> displacement(std::span<const double> applied) {
-        const FreedMemoryStays stays;
-        const OneBlasThread one_thread;
-        const std::vector<double> forces = balanced(applied);
-        std::vector<double> sum(forces.size(), 0.);
-        for (BodyPart& part : parts_) {
-            if (!part.condensation.is_factorised()) part.condensation.factorise();
-            part.add_displacement(forces, sum);
-            if (!was_asked_) part.condensation.forget_factor();
-        }
-        was_asked_ = true;
-        return sum;
-    }
+    std::vector<double> displacement(std::span<const double> applied);
+
+    /// The same by a factor in any case.
+    std::vector<double> by_factor(std::span<const double> applied);
+    bool is_without_factor() const { return static_cast<bool>(without_factor_); }
 
     const Discretisation discretisation;
 
   private:
-    /// With the pressure on the base of a body that is pressed evenly.
-    std::vector<double> balanced(std::span<const double> applied) const {
-        std::vector<double> forces(applied.begin(), applied.end());
-        if (discretisation.even_load.empty()) return forces;
-        double along_z = 0;
-        for (std::size_t u = 0; u < forces.size(); ++u)
-            if (discretisation.unknowns.direction_of_unknown[u] == 2) along_z += forces[u];
-        for (std::size_t u = 0; u < forces.size(); ++u)
-            forces[u] -= along_z * discretisation.even_load[u];
-        return forces;
-    }
+    std::vector<double> balanced(std::span<const double> applied) const;
 
-    std::vector<BodyPart> parts_;
-    bool was_asked_ = false;
+    InsideSolver without_factor_;
+    std::vector<BodyPart> parts_;  // analysed when first needed
+    bool was_asked_ = false;       // to solve by factors
 };
 
 /// All of a layer, for corrections.

@@ -129,21 +129,6 @@ constexpr const char* palette =
     "set palette defined (0 '#2a788e', 1 '#21918c', 2 '#22a884', 3 '#44bf70', 4 '#7ad151', "
     "5 '#bddf26', 6 '#fde725')\n";
 
-/// Points (x, y, value) in rows, as gnuplot's surfaces need them.
-std::string grid_data(const ContourMap& map) {
-    std::string text = "$map << EOD\n";
-    auto value = map.values.begin();
-    for (const double y : map.y) {
-        for (const double x : map.x) {
-            text += std::isfinite(*value) ? fmt::format("{:.5g} {:.5g} {:.5g}\n", x, y, *value)
-                                          : fmt::format("{:.5g} {:.5g} NaN\n", x, y);
-            ++value;
-        }
-        text += '\n';
-    }
-    return text + "EOD\n";
-}
-
 /// The ends of an axis of a map, which its values reach where nothing else is said.
 FigureAxis filled(FigureAxis axis, const std::vector<double>& values) {
     if (!axis.low) axis.low = values.front();
@@ -165,14 +150,17 @@ struct ColourBar {
     int more_letters = 0;
 
     explicit ColourBar(const ContourMap& map) {
+        int beside_two = 0;  // letters, for which gnuplot's own distance has room
         double low = INFINITY, high = -INFINITY;
         for (const double value : map.values)
             if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
         if (low < high) {
             commands = fmt::format("set cbrange [{:.6g}:{:.6g}]\n", low, high);
-            more_letters = std::max(0, longest_tic(low, high, (high - low) / 8) - 3);
+            const int letters = longest_tic(low, high, (high - low) / 8);
+            more_letters = std::max(0, letters - 3);
+            beside_two = std::max(0, letters - 2);
         }
-        commands += fmt::format("set cblabel {} offset {},0\n", quoted(map.label), more_letters);
+        commands += fmt::format("set cblabel {} offset {},0\n", quoted(map.label), beside_two);
     }
 };
 
@@ -186,13 +174,14 @@ Picture map_picture(Figure figure, const PictureLayout& layout) {
     figure.x = filled(figure.x, map.x);
     figure.y = filled(figure.y, map.y);
     const FigureStyles styles = styles_of(figure);
-    Parts parts;
+    const MapGround ground(map, figure.x, figure.y);
+    Parts parts{.heights = !ground.is_image};
     const bool has_values =
         std::ranges::any_of(map.values, [](double v) { return !std::isnan(v); });
     if (has_values) {
-        parts.plots.emplace_back("$map using 1:2:3 with pm3d notitle");
-        parts.plots.emplace_back(
-            "$apart using 1:2:(0) with lines linewidth 0.7 linecolor rgb '#1a1a1a' notitle");
+        parts.plots.push_back(ground.colours);
+        parts.plots.push_back(ground.lines +
+                              " with lines linewidth 0.7 linecolor rgb '#1a1a1a' notitle");
     }
     add_curves(figure.curves, styles, true, true, parts);
     const auto length = [](const FigureAxis& axis) { return std::abs(*axis.high - *axis.low); };
@@ -203,22 +192,23 @@ Picture map_picture(Figure figure, const PictureLayout& layout) {
     const auto share = [](int pixels, int all) { return static_cast<double>(pixels) / all; };
     const std::string levels =
         map.levels.empty() ? "auto 8" : fmt::format("discrete {:.6g}", fmt::join(map.levels, ", "));
-    return {width, height,
-            grid_data(map) + parts.data + plot_style() + axes(figure, frame) + bar.commands +
-                (has_values ? fmt::format("set contour base\nset cntrparam levels {}\nunset "
-                                          "surface\nset table $lines\nsplot $map using 1:2:3\n"
-                                          "unset table\nset surface\nunset contour\n{}",
-                                          levels, lines_apart)
-                            : "") +
-                fmt::format("set border 15\nunset grid\nset pm3d map interpolate 2,2\n{}"
-                            "set lmargin at screen {:.4g}\nset rmargin at screen {:.4g}\n"
-                            "set tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n"
-                            "set key at screen {:.4g},{:.4g} top center maxcols 1 "
-                            "samplen 1.6\n",
-                            palette, share(left, width), share(left + frame, width),
-                            share(foot + map_height, height), share(foot, height),
-                            share(left + frame / 2, width), share(height - head / 2, height)) +
-                parts.plot("splot")};
+    return {
+        width, height,
+        ground.data + parts.data + plot_style() + axes(figure, frame) + bar.commands +
+            (has_values ? fmt::format("set contour base\nset cntrparam levels {}\nunset "
+                                      "surface\nset table $lines\nsplot $map using 1:2:3\n"
+                                      "unset table\nset surface\nunset contour\n{}",
+                                      levels, lines_apart)
+                        : "") +
+            fmt::format("set border 15\nunset grid\n{}{}"
+                        "set lmargin at screen {:.4g}\nset rmargin at screen {:.4g}\n"
+                        "set tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n"
+                        "set key at screen {:.4g},{:.4g} top center maxcols 1 "
+                        "samplen 1.6\n",
+                        ground.settings, palette, share(left, width), share(left + frame, width),
+                        share(foot + map_height, height), share(foot, height),
+                        share(left + frame / 2, width), share(height - head / 2, height)) +
+            parts.plot(ground.is_image ? "plot" : "splot")};
 }
 
 /// Runs of a kind along the rows, as boxes (x, y, x_low, x_high, y_low, y_high): far fewer than

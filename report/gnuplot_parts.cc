@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "contact/base/plain_text.h"
 
@@ -85,6 +87,74 @@ void add_bars(const Curve& curve, const std::string& colour, Parts& parts) {
     if (!curve.y_error.empty()) add(curve.y, curve.y_error, parts.log_y, false);
 }
 
+/// Equal pixels of an image along an axis, over what the points of a map and the axis share.
+struct PixelRow {
+    double first = 0, size = 0;  ///< middle of the first; 0: there are none
+    /// Of the middle of each: the point before it, and the share of the next one.
+    std::vector<std::pair<std::size_t, double>> between;
+
+    PixelRow(const std::vector<double>& at, const FigureAxis& axis) {
+        constexpr double per_step = 2, most = 400;
+        if (at.size() < 2 || axis.logarithmic) return;
+        const double low = std::max(at.front(), std::min(*axis.low, *axis.high)),
+                     high = std::min(at.back(), std::max(*axis.low, *axis.high));
+        double step = INFINITY;
+        for (std::size_t i = 1; i < at.size(); ++i) step = std::min(step, at[i] - at[i - 1]);
+        if (!(step > 0 && high > low)) return;
+        const double n = std::round(std::clamp(per_step * (high - low) / step, 1., most));
+        size = (high - low) / n;
+        first = low + size / 2;
+        for (double k = 0; k < n; ++k) {
+            const double x = first + k * size;
+            const auto next = std::clamp<std::ptrdiff_t>(
+                std::ranges::upper_bound(at, x) - at.begin(), 1, std::ssize(at) - 1);
+            between.emplace_back(next - 1, (x - at[next - 1]) / (at[next] - at[next - 1]));
+        }
+    }
+    /// The axis counted in pixels.
+    std::string range(const FigureAxis& axis) const {
+        return fmt::format("[{:.8g}:{:.8g}]", (*axis.low - first) / size,
+                           (*axis.high - first) / size);
+    }
+};
+
+void add_value(double value, char after, std::string& text) {
+    if (std::isfinite(value))
+        fmt::format_to(std::back_inserter(text), "{:.5g}{}", value, after);
+    else
+        (text += "NaN") += after;
+}
+
+/// Points (x, y, value) in rows, as gnuplot's surfaces need them.
+std::string grid_data(const ContourMap& map) {
+    std::string text = "$map << EOD\n";
+    auto value = map.values.begin();
+    for (const double y : map.y) {
+        for (const double x : map.x) {
+            fmt::format_to(std::back_inserter(text), "{:.5g} {:.5g} ", x, y);
+            add_value(*value++, '\n', text);
+        }
+        text += '\n';
+    }
+    return text + "EOD\n";
+}
+
+/// Linear between the points of a cell.
+std::string pixel_data(const ContourMap& map, const PixelRow& along_x, const PixelRow& along_y) {
+    const std::size_t n = map.x.size();
+    std::string text = "$pixels << EOD\n";
+    for (const auto& [j, up] : along_y.between) {
+        for (const auto& [i, on] : along_x.between) {
+            const double* corner = &map.values[j * n + i];
+            add_value((1 - up) * ((1 - on) * corner[0] + on * corner[1]) +
+                          up * ((1 - on) * corner[n] + on * corner[n + 1]),
+                      ' ', text);
+        }
+        text.back() = '\n';
+    }
+    return text + "EOD\n";
+}
+
 int marker_of(int style) {
     return model_marker(static_cast<std::size_t>(style < 0 ? -style - 1 : style));
 }
@@ -138,6 +208,24 @@ std::string axes(const Figure& figure, int width) {
     return text;
 }
 
+MapGround::MapGround(const ContourMap& map, const FigureAxis& x, const FigureAxis& y)
+    : data(grid_data(map)) {
+    const PixelRow along_x(map.x, x), along_y(map.y, y);
+    is_image = along_x.size > 0 && along_y.size > 0;
+    if (!is_image) {
+        colours = "$map using 1:2:3 with pm3d notitle";
+        lines = "$apart using 1:2:(0)";
+        settings = "set pm3d map interpolate 2,2\n";
+        return;
+    }
+    // In the axes of its own that an image needs no computation for.
+    data += pixel_data(map, along_x, along_y);
+    colours = "$pixels matrix using 1:2:3 axes x2y2 with image notitle";
+    lines = "$apart using 1:2";
+    settings = fmt::format("set x2range {}\nset y2range {}\nset ylabel offset 1,0\n",
+                           along_x.range(x), along_y.range(y));
+}
+
 void add_curves(const std::vector<Curve>& curves, const FigureStyles& styles, bool flat,
                 bool with_key, Parts& parts) {
     constexpr std::size_t places_of_markers = 7;
@@ -150,9 +238,9 @@ void add_curves(const std::vector<Curve>& curves, const FigureStyles& styles, bo
                                     curve.kind == Curve::Kind::line && !has_markers(curves, curve);
         if (!flat) add_bars(curve, colour, parts);
         const Curve::Kind kind = at_some_places ? Curve::Kind::line_and_points : curve.kind;
-        std::string plot = fmt::format("{} using {} with {} linecolor rgb '{}'",
-                                       parts.add_data({curve.x, curve.y}), flat ? "1:2:(0)" : "1:2",
-                                       kinds[static_cast<int>(kind)], colour);
+        std::string plot = fmt::format(
+            "{} using {} with {} linecolor rgb '{}'", parts.add_data({curve.x, curve.y}),
+            parts.heights ? "1:2:(0)" : "1:2", kinds[static_cast<int>(kind)], colour);
         const std::string line = fmt::format(" linewidth 1.5 dashtype {}", styles.dashes[i] + 1);
         const std::string marker =
             fmt::format(" pointtype {} pointsize 0.7", marker_of(styles.curves[i].value_or(0)));

@@ -29,6 +29,7 @@ std::string axes(const Figure& figure, int width);
 struct Parts {
     bool in_grey = false;               ///< lines have markers at some places
     bool log_x = false, log_y = false;  ///< axes
+    bool heights = false;               ///< drawn by `splot`: curves lie at the height 0
     std::string data = {};
     std::vector<std::string> plots = {};
 
@@ -45,7 +46,18 @@ struct Parts {
     int n_blocks = 0;
 };
 
-/// `flat`: on the ground of `splot`, without error bars.
+/// What draws a map: an image, or rectangles over logarithmic axes.
+struct MapGround {
+    /// Over the axes, whose ends are known.
+    MapGround(const ContourMap& map, const FigureAxis& x, const FigureAxis& y);
+
+    bool is_image = false;
+    std::string data;  ///< inline, "$map" among it: points (x, y, value)
+    std::string colours, lines;
+    std::string settings;  ///< right before colours and lines are drawn
+};
+
+/// `flat`: over a map, without error bars.
 void add_curves(const std::vector<Curve>& curves, const FigureStyles& styles, bool flat,
                 bool with_key, Parts& parts);
 

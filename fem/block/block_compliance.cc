@@ -106,14 +106,10 @@ std::unique_ptr<const contact::Interior> BlockCompliance::interior(std::span<con
     const SurfaceField traction{t, {p.begin(), p.end()}};
     solve(traction, state_);
     const Discretisation discretisation(*problem_);
-    const Unknowns& unknowns = discretisation.unknowns;
-    const std::size_t n = solver_.mixed().n_nodes();
-    std::vector<double> displacement(unknowns.n), force(unknowns.n);
-    for (int u = 0; u < unknowns.n; ++u) {
-        const auto& x = discretisation.space.nodes[unknowns.node_of_unknown[u]];
-        const std::size_t at = unknowns.direction_of_unknown[u] * n + grid().nearest_node(x);
-        displacement[u] = state_[at];
-        force[u] = forces_[at];
+    std::vector<double> displacement, force;
+    for (const std::size_t at : places_in_block(discretisation, grid())) {
+        displacement.push_back(state_[at]);
+        force.push_back(forces_[at]);
     }
     return std::make_unique<contact::Interior>(discretisation.interior(displacement, force));
 }

@@ -136,4 +136,14 @@ std::optional<BlockGrid> block_grid(const LayerProblem& problem, std::string& wh
     return grid;
 }
 
+std::vector<std::size_t> places_in_block(const Discretisation& body, const BlockGrid& grid) {
+    const Unknowns& unknowns = body.unknowns;
+    std::vector<std::size_t> places;
+    places.reserve(unknowns.n);
+    for (int u = 0; u < unknowns.n; ++u)
+        places.push_back(unknowns.direction_of_unknown[u] * grid.n_nodes() +
+                         grid.nearest_node(body.space.nodes[unknowns.node_of_unknown[u]]));
+    return places;
+}
+
 }  // namespace tricontact::fem

@@ -50,4 +50,8 @@ struct BlockGrid {
 /// Throws contact::InputError when rigid motions remain.
 std::optional<BlockGrid> block_grid(const LayerProblem& problem, std::string& why);
 
+struct Discretisation;
+/// Where each free unknown of the body stands among u_x of all nodes of the block, u_y, u_z.
+std::vector<std::size_t> places_in_block(const Discretisation& body, const BlockGrid& grid);
+
 }  // namespace tricontact::fem

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "contact/solvers/contact_share.h"
+#include "fem/block/inside_solver.h"
 #include "fem/case/indenter_body.h"
 #include "fem/condensed_layer.h"
 #include "fem/mortar/pressure_grid.h"
@@ -67,18 +68,22 @@ bool LayerCondenser::couples_by_element_means() const {
 
 std::unique_ptr<CondensedCompliance> LayerCondenser::make(meshes::HexMesh mesh) {
     CondensedPart layer = part(problem_of(case_, std::move(mesh)), "layer");
+    std::unique_ptr<CondensedCompliance> made;
     // A tension over the gap asks for points that are alike.
     if (case_.adhesion) {
         const contact::ContactPoints grid = grid_on_nodes(layer.layer.points);
         PressureTransfer transfer = transfer_to(layer.layer.points, grid);
         layer.layer = on_grid(std::move(layer.layer), grid, transfer);
-        return std::make_unique<CondensedCompliance>(std::move(layer.problem),
+        made = std::make_unique<CondensedCompliance>(std::move(layer.problem),
                                                      std::move(layer.layer), std::move(transfer));
+    } else {
+        made = std::make_unique<CondensedCompliance>(
+            std::move(layer.problem),
+            case_.is_line_contact() ? contact_line(layer.layer) : std::move(layer.layer),
+            case_.interface, couples_by_element_means());
     }
-    return std::make_unique<CondensedCompliance>(
-        std::move(layer.problem),
-        case_.is_line_contact() ? contact_line(layer.layer) : std::move(layer.layer),
-        case_.interface, couples_by_element_means());
+    made->solve_inside_by(block_inside_solver);
+    return made;
 }
 
 /// A block ends at its outermost points.

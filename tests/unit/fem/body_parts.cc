@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fem/block/inside_solver.h"
 #include "fem/mirror_symmetry.h"
 #include "fem/settings.h"
 #include "fem/whole_body.h"
@@ -170,6 +171,45 @@ TEST(FemBodyParts, RoundingIsNoAsymmetry) {
     for (std::size_t i = 0; i < problem.mesh.nodes.size(); ++i)
         for (double& x : problem.mesh.nodes[i]) x += 1e-17 * std::sin(double(i));  // 2e-15 of 6 mm
     EXPECT_EQ(parts_of(Discretisation(problem)).size(), 2u);
+}
+
+// By iteration the same displacements and stresses as by a factor, K/G = 1e6 below and 2.2 above.
+TEST(FemBodyParts, BlocksNeedNoFactor) {
+    for (const bool half : {false, true}) {
+        auto problem = mirrored_layer(half);
+        EXPECT_FALSE(fem::block_inside_solver(problem, Discretisation(problem)));
+        const auto along_y = test::even(0, 3e-3, 2);
+        problem.mesh = test::box_mesh({test::even(-3e-3, 3e-3, 4),
+                                       half ? along_y : test::mirrored(along_y),
+                                       {-2.5e-3, -1.2e-3, -.5e-3, 0},
+                                       2e-3,
+                                       2e-3,
+                                       half,
+                                       -1.2e-3});
+        fem::WholeBody body(problem);
+        const auto block = fem::block_inside_solver(problem, body.discretisation);
+        ASSERT_TRUE(block);
+        std::vector<double> forces(body.discretisation.unknowns.n);
+        for (std::size_t u = 0; u < forces.size(); ++u)
+            forces[u] = std::sin(static_cast<double>(u * u) + .5);
+        const auto found = block(forces), expected = body.displacement(forces);
+        double off = 0, size = 0;
+        for (std::size_t u = 0; u < forces.size(); ++u) {
+            off = std::hypot(off, found[u] - expected[u]);
+            size = std::hypot(size, expected[u]);
+        }
+        EXPECT_LT(off, rounding * size);
+        const auto inside = body.discretisation.interior(found, forces),
+                   exact = body.discretisation.interior(expected, forces);
+        off = size = 0;
+        for (std::size_t i = 0; i < exact.stress.size(); ++i)
+            for (int k = 0; k < 6; ++k) {
+                off = std::max(off, std::abs(inside.stress[i][k] - exact.stress[i][k]));
+                size = std::max(size, std::abs(exact.stress[i][k]));
+            }
+        EXPECT_LT(off, 1e-6 * size);  // rounding of displacements times K/G
+        EXPECT_EQ(block(forces), found);
+    }
 }
 
 }  // namespace

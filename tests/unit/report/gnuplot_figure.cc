@@ -128,6 +128,22 @@ TEST(GnuplotFigure, AMapEndsWhereItsValuesDo) {
     EXPECT_TRUE(contains(script, "set ylabel 'y/a'"));
 }
 
+// Pixels at quarters of cells, linear between corners: of 0, 1 above 3 and no value nothing is
+// known.
+TEST(GnuplotFigure, MapsAreImages) {
+    Figure figure = map();
+    EXPECT_TRUE(contains(picture_of(figure).script, "NaN NaN NaN NaN\nNaN NaN NaN NaN\nEOD"));
+    figure.map->values[4] = 4;  // x + 3 y
+    EXPECT_TRUE(contains(picture_of(figure).script, "1 1.5 2 2.5\n2.5 3 3.5 4\nEOD"));
+    EXPECT_TRUE(contains(picture_of(figure).script, "set x2range [-0.5:3.5]"));
+    figure.x.low = 1;  // the image ends where the axis does, not with a pixel
+    figure.y.low = .5;
+    EXPECT_TRUE(contains(picture_of(figure).script, "$pixels << EOD\n3.5 4\nEOD"));
+    figure.x.logarithmic = true;
+    EXPECT_TRUE(contains(picture_of(figure).script, "with pm3d"));
+    EXPECT_NO_THROW(draw_all({figure}));
+}
+
 // y^2 = 2: two lines along x with as many points.
 TEST(GnuplotFigure, LinesOfEqualValueAreNotJoined) {
     Figure figure = map();
