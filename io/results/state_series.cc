@@ -48,6 +48,7 @@ class OpenFile {
     /// One after another; where they end.
     std::uint64_t write_all(std::uint64_t at, std::span<const std::string_view> pieces) const {
         std::vector<iovec> rest;
+        rest.reserve(pieces.size());
         for (const std::string_view piece : pieces)
             rest.push_back({const_cast<char*>(piece.data()), piece.size()});
         for (std::size_t i = 0; i < rest.size();) {
