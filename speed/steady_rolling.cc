@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 
 #include "bem/grid_compliance.h"
@@ -84,10 +85,12 @@ BENCHMARK_CAPTURE(steady_point, cylinder, false)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(steady_point, sphere, true)->Arg(9)->Unit(benchmark::kMillisecond);
 
-/// A sphere on 2 n + 7 cells a side at a creepage of 0.7 mu a/R, or spinning by mu/(2 R):
-/// `products` of the compliance, those of normal contact included, and `ms` of CPU without the
-/// kernel.
-void driven_sphere(benchmark::State& state, bool spins) {
+enum class Driven : std::uint8_t { creeps, spins, pulled };
+
+/// A sphere on 2 n + 7 cells a side at a creepage of 0.7 mu a/R, spinning by mu/(2 R), or under 0.6
+/// of its friction: `products` of the compliance, those of normal contact included, `ms` of CPU
+/// without the kernel, and the larger component of the `force` [N].
+void driven_sphere(benchmark::State& state, Driven driven) {
     constexpr double radius = .07, a = 4e-3, friction = .35;
     const auto n = static_cast<int>(state.range(0));
     const contact::MaterialPair materials{{}, {3e6, .3}};
@@ -98,25 +101,36 @@ void driven_sphere(benchmark::State& state, bool spins) {
     problem.indenter = std::make_shared<contact::Paraboloid>(radius);
     problem.friction = contact::Friction{friction}.law();
     problem.normal.value = 4. / 3 * materials.effective_modulus() * std::pow(a, 3) / radius;
-    problem.drive.creepage = {spins ? 0 : .7 * unit, 0};
-    problem.drive.spin = spins ? .5 * unit / a : 0;
     problem.coupling = false;
-    double products = 0, seconds = 0, runs = 0;
+    if (driven == Driven::pulled)
+        problem.drive.force[0] = .6 * friction * problem.normal.value;
+    else
+        problem.drive.creepage = {driven == Driven::creeps ? .7 * unit : 0, 0};
+    if (driven == Driven::spins) problem.drive.spin = .5 * unit / a;
+    double products = 0, seconds = 0, runs = 0, force = 0;
     for (auto _ : state) {
         const CpuTimer timer;
-        products += rolling::steady_rolling(*compliance, problem).state.iterations;
+        const auto steady = rolling::steady_rolling(*compliance, problem).state;
+        products += steady.iterations;
+        force = steady.force[driven == Driven::spins ? 1 : 0];
         seconds += timer.seconds();
         ++runs;
     }
     state.counters["products"] = products / runs;
     state.counters["ms"] = 1e3 * seconds / runs;
+    state.counters["force"] = force;
 }
-BENCHMARK_CAPTURE(driven_sphere, creeps, false)
+BENCHMARK_CAPTURE(driven_sphere, creeps, Driven::creeps)
     ->Arg(24)
     ->Arg(68)
     ->Arg(146)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(driven_sphere, spins, true)
+BENCHMARK_CAPTURE(driven_sphere, spins, Driven::spins)
+    ->Arg(24)
+    ->Arg(68)
+    ->Arg(146)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(driven_sphere, pulled, Driven::pulled)
     ->Arg(24)
     ->Arg(68)
     ->Arg(146)

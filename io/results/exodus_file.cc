@@ -190,61 +190,6 @@ class LayoutMaker {
     std::vector<std::uint32_t> elements_;  // of each block
 };
 
-/// Where the values of a field are: of elements one variable for each block.
-struct Part {
-    const NetcdfVariable* variable;
-    std::size_t n_bytes;  // without padding
-};
-std::vector<Part> parts_of(const NetcdfLayout& layout, const ExodusNames& names, std::size_t i) {
-    const std::size_t number = numbers_of(names).at(i), width = names.fields[i].is_byte ? 1 : 4;
-    if (!names.fields[i].is_of_elements)
-        return {{layout.find(nodal_name(number)), layout.length("num_nodes") * width}};
-    std::vector<Part> parts;
-    for (std::size_t k = 1; k <= layout.length("num_el_blk"); ++k)
-        parts.push_back({layout.find(element_name(number, k)),
-                         layout.length(of_block("num_el_in_blk", k)) * width});
-    return parts;
-}
-
-/// Bytes of a field in single precision.
-std::string widened(std::string_view bytes) {
-    std::vector<float> values;
-    for (const char byte : bytes) values.push_back(static_cast<float>(byte));
-    return big_endian(std::span<const float>(values));
-}
-
-void put(std::string& record, const NetcdfLayout& layout, const NetcdfVariable& variable,
-         std::string_view bytes) {
-    bytes = bytes.substr(0, variable.size);
-    bytes.copy(record.data() + (variable.begin - layout.records_begin), bytes.size());
-}
-
-void put_numbers(std::string& record, const NetcdfLayout& layout, const ExodusNames& names,
-                 const std::vector<std::pair<std::string, double>>& numbers) {
-    if (names.numbers.empty()) return;
-    std::vector<double> values(names.numbers.size(), 0.);
-    for (const auto& [name, value] : numbers)
-        values.at(static_cast<std::size_t>(std::ranges::find(names.numbers, name) -
-                                           names.numbers.begin())) = value;
-    put(record, layout, *layout.find("vals_glo_var"), big_endian(std::span<const double>(values)));
-}
-
-void put_field(std::string& record, const NetcdfLayout& layout, const ExodusNames& names,
-               const ExodusNames::Field& field, std::string_view bytes) {
-    const auto same = [&](const ExodusNames::Field& one) {
-        return one.name == field.name && one.is_of_elements == field.is_of_elements;
-    };
-    const auto found = std::ranges::find_if(names.fields, same);
-    const auto k = static_cast<std::size_t>(found - names.fields.begin());
-    const bool widens = field.is_byte && !found->is_byte;
-    const std::string wide = widens ? widened(bytes) : std::string();
-    if (widens) bytes = wide;
-    for (const Part& part : parts_of(layout, names, k)) {
-        put(record, layout, *part.variable, bytes.substr(0, part.n_bytes));
-        bytes.remove_prefix(part.n_bytes);
-    }
-}
-
 }  // namespace
 
 bool ExodusNames::take(const ExodusFields& state) {
@@ -272,43 +217,6 @@ bool ExodusNames::take(const ExodusFields& state) {
 NetcdfLayout exodus_layout(const ExodusMesh& mesh, const ExodusNames& names,
                            const Provenance& provenance) {
     return LayoutMaker(mesh, names, provenance).make();
-}
-
-std::string exodus_record(const NetcdfLayout& layout, const ExodusNames& names, double time,
-                          const ExodusFields& state, std::string memory) {
-    std::string record = std::move(memory);
-    record.assign(layout.record_size, '\0');
-    put(record, layout, *layout.find("time_whole"), big_endian(time));
-    put_numbers(record, layout, names, state.numbers());
-    for (const auto& [name, is_byte, is_of_elements, bytes] : state.fields())
-        put_field(record, layout, names, {name, is_byte, is_of_elements}, bytes);
-    return record;
-}
-
-std::string exodus_record(const NetcdfLayout& layout, const ExodusNames& names,
-                          const NetcdfLayout& old_layout, const ExodusNames& old_names,
-                          std::string_view old_record) {
-    std::string record(layout.record_size, '\0');
-    const auto old = [&](const std::string& name) {
-        const NetcdfVariable& variable = *old_layout.find(name);
-        return old_record.substr(variable.begin - old_layout.records_begin, variable.size);
-    };
-    put(record, layout, *layout.find("time_whole"), old("time_whole"));
-    std::vector<std::pair<std::string, double>> numbers;
-    if (!old_names.numbers.empty()) {
-        const auto values = from_big_endian<double>(old("vals_glo_var"));
-        for (std::size_t i = 0; i < values.size(); ++i)
-            numbers.emplace_back(old_names.numbers[i], values[i]);
-    }
-    put_numbers(record, layout, names, numbers);
-    for (std::size_t i = 0; i < old_names.fields.size(); ++i) {
-        std::string bytes;
-        for (const Part& part : parts_of(old_layout, old_names, i))
-            bytes +=
-                old_record.substr(part.variable->begin - old_layout.records_begin, part.n_bytes);
-        put_field(record, layout, names, old_names.fields[i], bytes);
-    }
-    return record;
 }
 
 }  // namespace tricontact::io

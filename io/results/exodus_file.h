@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -54,7 +55,8 @@ class ExodusFields {
     struct Field {
         std::string name;
         bool is_byte, is_of_elements;
-        std::string bytes;
+        std::size_t n_bytes;
+        std::unique_ptr<char[]> bytes;  ///< none: zeros
     };
     /// `copies`: so many rows of points have the same values.
     explicit ExodusFields(int copies = 1) : copies_(copies) {}
@@ -77,8 +79,9 @@ class ExodusFields {
     const std::vector<std::pair<std::string, double>>& numbers() const { return numbers_; }
 
   private:
-    template <class Value>
-    void add_component(const std::string& name, std::size_t n, const Value& value);
+    void add_component(std::string name, const double* values, std::size_t stride, std::size_t n,
+                       double sign);
+    void add_zeros(std::string name, std::size_t n);
 
     int copies_;
     bool is_of_elements_ = false;
@@ -106,13 +109,4 @@ struct ExodusNames {
 /// A file of such states in Exodus II: header, mesh and names, placed.
 NetcdfLayout exodus_layout(const ExodusMesh& mesh, const ExodusNames& names,
                            const Provenance& provenance);
-/// The record of a state, which has nothing that is not in the names; what it lacks is 0. `memory`:
-/// an earlier record's.
-std::string exodus_record(const NetcdfLayout& layout, const ExodusNames& names, double time,
-                          const ExodusFields& state, std::string memory = {});
-/// A record of a file of fewer names as one of these.
-std::string exodus_record(const NetcdfLayout& layout, const ExodusNames& names,
-                          const NetcdfLayout& old_layout, const ExodusNames& old_names,
-                          std::string_view old_record);
-
 }  // namespace tricontact::io

@@ -17,8 +17,15 @@ bool touches(const contact::Surface& s, std::size_t i) {
 /// 0 where the surface touches: what solvers leave there is their residual.
 std::vector<double> told_gap(const contact::Surface& s) {
     std::vector<double> gap = s.gap;
-    for (std::size_t i = 0; i < std::min(gap.size(), s.contact_state.size()); ++i)
-        if (touches(s, i)) gap[i] = 0;
+    const std::size_t n = std::min(gap.size(), s.contact_state.size());
+    const contact::ContactState* const states = s.contact_state.data();
+    double* const told = gap.data();
+    if (s.tension.empty())
+        for (std::size_t i = 0; i < n; ++i)
+            told[i] = states[i] != contact::ContactState::open ? 0 : told[i];
+    else
+        for (std::size_t i = 0; i < n; ++i)
+            if (touches(s, i)) told[i] = 0;
     return gap;
 }
 

@@ -1,8 +1,11 @@
 #include "io/results/state_series.h"
 
 #include <fcntl.h>
+#include <limits.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 
@@ -10,8 +13,6 @@
 #include "io/results/former_series.h"
 
 namespace tricontact::io {
-
-namespace {
 
 /// A file that is there, written at places.
 class OpenFile {
@@ -24,25 +25,52 @@ class OpenFile {
     OpenFile& operator=(const OpenFile&) = delete;
     ~OpenFile() { ::close(descriptor_); }
 
-    void write(std::uint64_t at, std::string_view bytes) const {
-        while (!bytes.empty()) {
-            const auto n =
-                ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(at));
-            if (n < 0 && errno == EINTR) continue;
-            if (n < 0) refuse();
-            at += static_cast<std::uint64_t>(n);
-            bytes.remove_prefix(static_cast<std::size_t>(n));
+    void write(std::uint64_t at, std::string_view bytes) const { write_all(at, {&bytes, 1}); }
+    /// A record at the end of the file. Long runs of zeros are left out, which the file then has as
+    /// a hole; what it ends with is written.
+    void append(std::uint64_t at, std::span<const std::string_view> pieces) const {
+        constexpr std::size_t shortest_hole = 8192;  // two pages: one of them is whole
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i < pieces.size();) {
+            std::size_t end = i, n_zeros = 0;
+            for (; end < pieces.size() && ExodusRecord::is_zeros(pieces[end]); ++end)
+                n_zeros += pieces[end].size();
+            if (end < pieces.size() && n_zeros >= shortest_hole) {
+                at = write_all(at, pieces.subspan(begin, i - begin)) + n_zeros;
+                begin = end;
+            }
+            i = std::max(end, i + 1);
         }
+        write_all(at, pieces.subspan(begin));
     }
 
   private:
+    /// One after another; where they end.
+    std::uint64_t write_all(std::uint64_t at, std::span<const std::string_view> pieces) const {
+        std::vector<iovec> rest;
+        rest.reserve(pieces.size());
+        for (const std::string_view piece : pieces)
+            rest.push_back({const_cast<char*>(piece.data()), piece.size()});
+        for (std::size_t i = 0; i < rest.size();) {
+            const std::size_t most = std::min<std::size_t>(rest.size() - i, IOV_MAX);
+            const auto n =
+                ::pwritev(descriptor_, &rest[i], static_cast<int>(most), static_cast<off_t>(at));
+            if (n < 0 && errno == EINTR) continue;
+            if (n < 0) refuse();
+            at += static_cast<std::uint64_t>(n);
+            auto written = static_cast<std::size_t>(n);
+            for (; i < rest.size() && written >= rest[i].iov_len; ++i) written -= rest[i].iov_len;
+            if (written == 0) continue;
+            rest[i].iov_base = static_cast<char*>(rest[i].iov_base) + written;
+            rest[i].iov_len -= written;
+        }
+        return at;
+    }
     [[noreturn]] void refuse() const { refuse_output(path_, "cannot be written", errno); }
 
     std::string path_;
     int descriptor_;
 };
-
-}  // namespace
 
 std::vector<double> times_from_start(const std::vector<double>& times) {
     const auto n = times.size();
@@ -74,6 +102,8 @@ void StateSeries::clear() {
     mesh_ = {};
     names_ = {};
     layout_ = {};
+    record_ = {};
+    file_ = nullptr;
     times_.clear();
     shown_times_.clear();
 }
@@ -89,45 +119,62 @@ void StateSeries::add(double time, const ExodusMesh& mesh, const ExodusFields& f
     append(time, fields);
 }
 
+void StateSeries::lay_out() {
+    layout_ = exodus_layout(mesh_, names_, provenance_);
+    record_ = ExodusRecord(layout_, names_);
+    file_ = nullptr;  // that will be replaced
+}
+
 // The first state comes with the header, at once. What an earlier run left of further files goes.
 void StateSeries::begin_file(const ExodusMesh& mesh, double time, const ExodusFields& fields) {
     mesh_ = mesh;
     names_ = {};
     names_.take(fields);
-    layout_ = exodus_layout(mesh_, names_, provenance_);
+    lay_out();
     times_ = shown_times_ = {time};
     ++n_files_;
     if (n_files_ == 1) remove_former_series(folder_, name_);
     std::error_code ignored;
     for (int number = n_files_ + 1; std::filesystem::exists(path(number), ignored); ++number)
         remove_file(path(number));
-    write_unsynced(path(n_files_), layout_.bytes(1) + exodus_record(layout_, names_, time, fields));
+    write_unsynced(path(n_files_), layout_.bytes(1) + record_.bytes(time, fields));
 }
 
 // Of rolling, some fields begin with its first period.
 void StateSeries::take_more_names(const ExodusFields& fields) {
-    const ExodusNames old_names = names_;
     if (!names_.take(fields)) return;
-    const NetcdfLayout old_layout =
-        std::exchange(layout_, exodus_layout(mesh_, names_, provenance_));
+    const ExodusRecord earlier = std::move(record_);
+    lay_out();
     NetcdfReader old(path(n_files_));
     std::string bytes = layout_.bytes(static_cast<std::uint32_t>(times_.size()));
-    for (std::size_t i = 0; i < times_.size(); ++i)
-        bytes += exodus_record(layout_, names_, old_layout, old_names, old.record(i));
+    for (std::size_t i = 0; i < times_.size(); ++i) bytes += record_.bytes(earlier, old.record(i));
     write_unsynced(path(n_files_), bytes);
+}
+
+// After a later time than all others none of those moves, once there are two.
+std::vector<double> StateSeries::shown_with(double time) const {
+    std::vector<double> shown;
+    if (time > times_.back() && times_.back() > times_.front()) {
+        shown = shown_times_;
+        shown.push_back(time);
+        return shown;
+    }
+    shown = times_;
+    shown.push_back(time);
+    return times_from_start(shown);
 }
 
 // The number of records comes last. Times that move are never out of order, not even meanwhile.
 void StateSeries::append(double time, const ExodusFields& fields) {
+    const std::vector<double> shown = shown_with(time);
     times_.push_back(time);
-    const std::vector<double> shown = times_from_start(times_);
     const std::size_t last = shown.size() - 1;
-    const OpenFile file(path(n_files_));
+    if (!file_) file_ = std::make_shared<const OpenFile>(path(n_files_));
+    const OpenFile& file = *file_;
     const auto place_of = [&](std::size_t record) {
         return layout_.records_begin + record * layout_.record_size;
     };
-    record_ = exodus_record(layout_, names_, shown[last], fields, std::move(record_));
-    file.write(place_of(last), record_);
+    file.append(place_of(last), record_.pieces(shown[last], fields));
     const auto move = [&](std::size_t i) {
         if (shown[i] != shown_times_[i]) file.write(place_of(i), big_endian(shown[i]));
     };

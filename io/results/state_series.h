@@ -1,16 +1,20 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/results/exodus_file.h"
+#include "io/results/exodus_record.h"
 
 namespace tricontact::io {
 
 /// Ending of the files of a StateSeries.
 inline constexpr const char* states_extension = ".ex2";
+
+class OpenFile;
 
 /// States over time for ParaView in one file `folder/name.ex2` (Exodus II on netCDF's classic
 /// format, single precision, not compressed): the mesh once, then a record for each state. A record
@@ -50,6 +54,10 @@ class StateSeries {
     void begin_file(const ExodusMesh& mesh, double time, const ExodusFields& fields);
     void take_more_names(const ExodusFields& fields);
     void append(double time, const ExodusFields& fields);
+    /// Lays the file out for the names.
+    void lay_out();
+    /// Times as the file shows them, with one that comes last.
+    std::vector<double> shown_with(double time) const;
 
     std::string folder_, name_;
     Provenance provenance_;
@@ -59,9 +67,10 @@ class StateSeries {
     ExodusMesh mesh_;
     ExodusNames names_;
     NetcdfLayout layout_;
-    std::string record_;               // the last, for its memory
-    std::vector<double> times_;        // as they were given
-    std::vector<double> shown_times_;  // see times_from_start
+    ExodusRecord record_;
+    std::shared_ptr<const OpenFile> file_;  // from the second state on
+    std::vector<double> times_;             // as they were given
+    std::vector<double> shown_times_;       // see times_from_start
 };
 
 /// Times that do not decrease, set apart, since ParaView shows one state at a time. The first state

@@ -3,6 +3,7 @@
 #include "io/results/state_series.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vtkDataArray.h>
@@ -75,6 +76,31 @@ void expect_same(vtkPointData* data, const Surface& s) {
     ASSERT_TRUE(states);
     for (std::size_t i = 0; i < s.size(); ++i)
         ASSERT_EQ(states->GetTuple1(static_cast<vtkIdType>(i)), static_cast<double>(i % 3));
+}
+
+/// Fields of zeros long enough to be left as holes of the file, among others and at its end.
+TEST_F(States, FieldsOfZerosReadBackFromHoles) {
+    StateSeries out = states("surface");
+    const auto state = [](int k) {
+        Surface s = surface_of(Surface::Layout::grid, 61, 61, k);
+        s.slip_path.assign(s.size(), k + 1.);
+        if (k % 2 == 1)
+            for (auto* values :
+                 {&s.tangential_traction_x, &s.slip_x, &s.slip_y, &s.dissipation, &s.slip_path})
+                values->assign(s.size(), 0.);
+        return s;
+    };
+    constexpr int n = 6;
+    for (int k = 0; k < n; ++k) out.add(k, state(k));
+    for (int k = 0; k < n; ++k) {
+        vtkUnstructuredGrid* grid = read("surface.ex2", k);
+        ASSERT_TRUE(grid);
+        expect_same(grid->GetPointData(), state(k));
+        expect_scalar(grid->GetPointData(), "slip_path_m", state(k).slip_path);
+    }
+    struct stat file {};
+    ASSERT_EQ(::stat(at("surface.ex2").c_str(), &file), 0);
+    EXPECT_GT(static_cast<std::size_t>(file.st_size), n * out.last_size());
 }
 
 TEST_F(States, StatesOfAGridReadBackExactly) {
