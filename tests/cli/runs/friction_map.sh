@@ -32,8 +32,9 @@ printf 'x [mm], factor\n-20, 1\n20, 1\n' >same.csv
 
 # 1. Without coupling the limit does not ask on which side the rougher half lies: the path is
 # symmetric. A map of ones is no map: both solve to 1e-7.
-for name in stripes mirrored same same_in_plane; do
-    "$program" run case.toml --set "friction.map=$name.csv" --quiet --no-studies --output "$name" ||
+"$program" run case.toml --set "friction.map=stripes.csv" --quiet --no-studies --output stripes || complain "stripes does not run"
+for name in same same_in_plane; do
+    "$program" run case.toml --set "friction.map=$name.csv" --quiet --no-studies --no-report --output "$name" ||
         complain "$name does not run"
 done
 grep -v '^map' case.toml >plain.toml
