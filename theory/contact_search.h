@@ -40,46 +40,27 @@ auto converged(Solve solve, int fewest, Values key_values, std::string_view reme
         4 * fewest, change, remedy));
 }
 
-/// Contact radius at which `share`, of the load that is sought and increasing with the radius, is
-/// one; infinite beyond `largest`. Logarithms of both are nearly on a straight line (forces of a
-/// half-space go as a^3, indentations as a^2, of a cone as a^2 and a), which the search follows.
+/// Contact radius at which `excess`, increasing in it, vanishes; infinite beyond `largest`.
 template <typename Function>
-double find_radius(Function share, double start, double largest, double thickness) {
-    const auto excess = [&](double x) {
-        const double s = share(std::exp(x) * thickness);
-        return s > 0 ? std::log(s) : std::log(std::numeric_limits<double>::min());
-    };
-    const double end = std::log(largest / thickness), nearest = std::log(1e-12);
-    double low = std::min(std::log(start / thickness), end - std::log(2.)), high = low,
-           at_low = excess(low), at_high = at_low;
-    // Somewhat beyond where a^2 has it, so that the root is passed in one step.
-    const auto step = [](double at) { return std::max(std::log(2.), .55 * std::abs(at)); };
-    if (at_low < 0) {
+double find_radius(Function excess, double start, double largest, double thickness) {
+    double low = std::min(start, largest / 2), high = low;
+    if (excess(low) < 0) {
         do {
-            if (high >= end) return std::numeric_limits<double>::infinity();
+            if (high >= largest) return std::numeric_limits<double>::infinity();
             low = high;
-            at_low = at_high;
-            high = std::min(low + std::min(step(at_low), std::log(8.)), end);
-            at_high = excess(high);
-        } while (at_high < 0);
+            high = std::min(2 * high, largest);
+        } while (excess(high) < 0);
     } else {
         do {
             high = low;
-            at_high = at_low;
-            low -= step(at_high);
-            if (low < nearest && high <= nearest)
+            low /= 4;
+            if (low < 1e-12 * thickness)
                 throw contact::NotConverged(
                     "layer contact: no contact radius found above 1e-12 of the thickness; use the "
                     "half-space");
-            low = std::max(low, nearest);
-            at_low = excess(low);
-        } while (at_low >= 0);
+        } while (excess(low) >= 0);
     }
-    // Over the bracket's width: to 2^-50 of a factor of the radius, wherever zero is.
-    const double width = high - low;
-    const double part = contact::bracketed_root(
-        [&](double t) { return excess(low + (t - 1) * width); }, 1., 2., at_low, at_high, 50);
-    return thickness * std::exp(low + (part - 1) * width);
+    return contact::bracketed_root(excess, low, high, 50);
 }
 
 }  // namespace tricontact::theory

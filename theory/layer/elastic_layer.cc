@@ -100,14 +100,14 @@ LayerContact solve_layer_contact(const ElasticLayer& layer,
         return solve_parts(layer, LineMesh(radius, kinks, n),
                            [&](double x) { return indenter.plane_profile(x); });
     };
-    auto share = [&](double radius) {
+    auto excess = [&](double radius) {
         const Parts parts = parts_at(radius, points_for(radius / b));
         const double d = parts.indentation();
         const bool force = control.kind == NormalControl::Kind::force;
-        return (force ? 2 * effective_modulus(layer) * parts.integral(d) : d) / control.value;
+        return (force ? 2 * effective_modulus(layer) * parts.integral(d) : d) / control.value - 1;
     };
     const double largest = std::min(rim * (1 - 1e-6), largest_radius_over_thickness * b);
-    const double radius = find_radius(share, b, largest, b);
+    const double radius = find_radius(excess, b, largest, b);
     if (std::isinf(radius) && rim <= largest_radius_over_thickness * b)
         throw contact::InputError(fmt::format(
             "layer contact: the contact reaches the rim of the indenter at {:.6g} m; reduce the "

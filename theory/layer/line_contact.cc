@@ -135,12 +135,12 @@ LineContact solve_line_contact(const ElasticLayer& layer, double radius,
     const double b = layer.thickness, largest = largest_radius_over_thickness * b;
     double a = control.value;
     if (control.kind != LineControl::Kind::half_width) {
-        auto share = [&](double half_width) {
+        auto excess = [&](double half_width) {
             const auto c = solve(layer, radius, half_width, points_for(half_width / b));
             const bool load = control.kind == LineControl::Kind::load;
-            return (load ? c.load : c.indentation) / control.value;
+            return (load ? c.load : c.indentation) / control.value - 1;
         };
-        a = find_radius(share, b, largest, b);
+        a = find_radius(excess, b, largest, b);
     }
     if (!(a <= largest))
         throw contact::InputError(fmt::format(
