@@ -1,14 +1,22 @@
-# Writes TESTS, read by CTest: the suites of PROGRAM with PROPERTIES.
+# Writes TESTS, read by CTest: the suites of PROGRAM with PROPERTIES, TOGETHER of them in a test. Lists within a property
+# are divided by |.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "\n[^ \n]+\\.[ \n]" suites "\n${listed}")
+list(TRANSFORM suites REPLACE "^\n(.+)\\..$" "\\1")
+list(LENGTH suites n)
 set(text "")
-foreach(suite IN LISTS suites)
-    string(REGEX REPLACE "^\n(.+)\\..$" "\\1" suite "${suite}")
-    string(APPEND text "add_test([==[${suite}]==] [==[${PROGRAM}]==] [==[--gtest_filter=${suite}.*]==])\n"
-           "set_tests_properties([==[${suite}]==] PROPERTIES")
+set(begin 0)
+while(begin LESS n)
+    list(SUBLIST suites ${begin} ${TOGETHER} some)
+    math(EXPR begin "${begin} + ${TOGETHER}")
+    list(JOIN some "+" name)
+    list(JOIN some ".*:" filter)
+    string(APPEND text "add_test([==[${name}]==] [==[${PROGRAM}]==] [==[--gtest_filter=${filter}.*]==])\n"
+           "set_tests_properties([==[${name}]==] PROPERTIES")
     foreach(word IN LISTS PROPERTIES)
+        string(REPLACE "|" ";" word "${word}")
         string(APPEND text " [==[${word}]==]")
     endforeach()
     string(APPEND text ")\n")
-endforeach()
+endwhile()
 file(WRITE ${TESTS} "${text}")

@@ -30,7 +30,7 @@ CALLS = {
                                                 "rolling.steps": "turning-points", "bem.spacing": "1 mm"})),
     "rig": (RIG, tricontact.rig),
     "design": ("rigs/design_resolution.toml", tricontact.design),
-    "identify": (RIG, tricontact.identify),
+    "identify": (RIG, lambda case: tricontact.identify(case, overrides={"measurement.models": ["half-space"]})),
     "experiment": ("records/synthetic_shakedown.toml", lambda case: tricontact.experiment(
         case, overrides={"models": ["mdr"], "record.runs": [str(RECORDS / "run_1.csv"), str(RECORDS / "run_2.csv")]})),
     "roll": ("cases/rolling_cylinder.toml", lambda case: tricontact.roll(case, overrides=ON, points=2)),

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "contact/base/error.h"
 #include "contact/model.h"
@@ -39,17 +40,23 @@ inline LoopEnergy energy_of_loop(contact::Model& model, const AdhesiveBall& ball
         if (lost > 0) (k <= steps ? in : off) = depth;
         energy.lost += lost;
     }
+    // Each trial goes on from the last state on the side where the way began.
     const auto place = [&](double start, double apart, double together) {
         constexpr double holds = -.15;
+        const bool begins_held = start > together;
+        restart(start);
+        force_at(begins_held ? together : apart);
+        std::string before = model.write_state();
         for (int k = 0; k < 10; ++k) {
             const double middle = (apart + together) / 2;
-            restart(start);
             bool is_held = false;
             try {
                 is_held = force_at(middle) < holds;
+                if (is_held == begins_held) before = model.write_state();
             } catch (const contact::NotConverged&) {  // next to the jump
             }
             (is_held ? together : apart) = middle;
+            model.read_state(before);
         }
         return std::array{apart, together};
     };

@@ -84,7 +84,9 @@ Eigen::MatrixXd energies(const ElasticLayer& layer, double radius,
         std::max_element(shapes.begin(), shapes.end(), [](const Shape& f, const Shape& g) {
             return f.n < g.n;
         })->n;
-    Eigen::MatrixXd along(n, n_waves), across(n, n_waves), normal(n, n_waves);
+    // Tangential shapes are of even order, normal ones of odd: a product for each pair of orders.
+    const Eigen::Index n_even = highest / 2 + 1, n_odd = (highest + 1) / 2;
+    Eigen::MatrixXd even(n_even, n_waves), odd(n_odd, n_waves);
     Eigen::VectorXd by_along(n_waves), by_across(n_waves), by_normal(n_waves), by_both(n_waves);
     for (Eigen::Index w = 0; w < n_waves; ++w) {
         const double x = waves.points()[w], scale = layer.material.shear_modulus() * x;
@@ -95,18 +97,31 @@ Eigen::MatrixXd energies(const ElasticLayer& layer, double radius,
         by_normal[w] = weight * (c.normal * scale - half_space.normal);
         by_both[w] = weight * (c.coupling * scale - half_space.coupling);
         const std::vector<double> j = spherical_bessel(highest, x * ratio);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const Shape& f = shapes[i];
-            along(i, w) = f.along * j[f.n];
-            across(i, w) = f.across * j[f.n];
-            normal(i, w) = f.normal * j[f.n];
-        }
+        for (Eigen::Index i = 0; i < n_even; ++i) even(i, w) = j[2 * i];
+        for (Eigen::Index i = 0; i < n_odd; ++i) odd(i, w) = j[2 * i + 1];
     }
-    const Eigen::MatrixXd both = along * by_both.asDiagonal() * normal.transpose();
-    return half_space_energies(half_space, shapes) +
-           along * by_along.asDiagonal() * along.transpose() +
-           across * by_across.asDiagonal() * across.transpose() +
-           normal * by_normal.asDiagonal() * normal.transpose() + both + both.transpose();
+    const Eigen::MatrixXd along = even * by_along.asDiagonal() * even.transpose(),
+                          across = even * by_across.asDiagonal() * even.transpose();
+    Eigen::MatrixXd normal, both;
+    if (std::ranges::any_of(shapes, [](const Shape& f) { return f.normal != 0; })) {
+        normal = odd * by_normal.asDiagonal() * odd.transpose();
+        both = even * by_both.asDiagonal() * odd.transpose();
+    }
+    Eigen::MatrixXd a = half_space_energies(half_space, shapes);
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index k = 0; k < n; ++k) {
+            const Shape &f = shapes[i], &g = shapes[k];
+            const auto p = static_cast<Eigen::Index>(f.n / 2),
+                       q = static_cast<Eigen::Index>(g.n / 2);
+            if (f.normal == 0 && g.normal == 0)
+                a(i, k) += f.along * g.along * along(p, q) + f.across * g.across * across(p, q);
+            else if (f.normal != 0 && g.normal != 0)
+                a(i, k) += f.normal * g.normal * normal(p, q);
+            else
+                a(i, k) += f.normal == 0 ? f.along * g.normal * both(p, q)
+                                         : g.along * f.normal * both(q, p);
+        }
+    return a;
 }
 
 // The force is 2 pi times the coefficient of j_0, the only one that is not zero at k = 0: least

@@ -28,7 +28,7 @@ run() {
 
 # 1. Nothing slips: U = F_T/F_N E*/G* d exactly (Mindlin and Deresiewicz 1953), with one step as with many.
 for steps in 1 3 10; do
-    run "oblique_$steps" oblique.toml --set "path.steps=$steps"
+    run "oblique_$steps" oblique.toml --no-report --set "path.steps=$steps"
     "$python" - "oblique_$steps" <<'END' || complain "the shift of a path of $steps steps is not what its ± says"
 import json, sys
 summary = json.load(open(sys.argv[1] + "/summary.json"))
@@ -45,9 +45,9 @@ done
 # 2. Runs whose steps cannot be longer: turning points, one per quarter. Finer ones lie within the ±.
 rolling=("$source_dir/examples/cases/rig_sphere_parallel.toml" --set models='["mdr"]' --set mdr.springs=1000 --set rolling.periods=2
     --set load.tangential_ratio=0.7 --set rolling.amplitude_ratio=0.3)
-run fine "${rolling[@]}" --set rolling.steps_per_quarter=64 --no-studies
-run turning "${rolling[@]}" --set rolling.steps=turning-points
-run quarter "${rolling[@]}" --set rolling.steps_per_quarter=1
+run fine "${rolling[@]}" --set rolling.steps_per_quarter=64 --no-studies --no-report
+run turning "${rolling[@]}" --no-report --set rolling.steps=turning-points
+run quarter "${rolling[@]}" --no-report --set rolling.steps_per_quarter=1
 "$python" - <<'END' || complain "± of turning points or one step per quarter"
 import json
 def of(run):
@@ -62,11 +62,11 @@ END
 # 3. A prescribed value is exact and says so; no other has no error.
 run depth oblique.toml --set 'path.table="indentation [um], shift_x [um]\n0, 0\n400, 50"'
 grep -q "The shift is prescribed" depth/report.html || complain "the page does not say what is prescribed"
-run layer oblique.toml --set 'models=["mdr-layer"]' --set 'substrate.thickness=8 mm'
+run layer oblique.toml --no-report --set 'models=["mdr-layer"]' --set 'substrate.thickness=8 mm'
 models=(depth layer)
 if has_fem; then
     sed '/^size/d; /^increment/d' "$source_dir/examples/cases/rig_cylinder.toml" >cylinder.toml
-    run fem cylinder.toml --models fem --set fem.cache=none --set rolling.periods=1 \
+    run fem cylinder.toml --models fem --no-report --set fem.cache=none --set rolling.periods=1 \
         --set rolling.steps=turning-points --set load.press_steps=2
     grep -q '^size = ' fem/case.toml && complain "the case gives the size of its elements"
     models+=(fem)

@@ -50,7 +50,7 @@ family() {
         for cells in 10 20 40; do
             "$program" influence sphere.toml --models bem --set bem.cells_per_radius=$cells --output plain.txt >/dev/null
             yielding plain.txt "$name$cells.txt" "$tangential" "$normal"
-            "$program" run sphere.toml --quiet --no-studies --output "$name$cells" --set bem.cells_per_radius=$cells \
+            "$program" run sphere.toml --quiet --no-studies --no-report --output "$name$cells" --set bem.cells_per_radius=$cells \
                 --set "bem.influence=$name$cells.txt" >/dev/null || complain "no run $name$cells"
             printf '[[mesh]]\nsize = "%s mm"\nfield = "%s"\n' "$("$python" -c "print(4.87 / $cells)")" \
                 "$name$cells/bem/surface.ex2"

@@ -58,7 +58,7 @@ grep -q "Theory (Hertz)" text && complain "refined against Hertz: $(cat text)"
 grep -q "holds 0.00141372 N at most" text || complain "$(cat text)"
 
 # 5. By cells: JKR within the bars.
-"$program" run "$case" --models bem --set contact.coupling=false --set 'bem.spacing="16 um"' --output cells --quiet >text 2>&1 ||
+"$program" run "$case" --models bem --set contact.coupling=false --set 'bem.spacing="16 um"' --output cells --no-report --quiet >text 2>&1 ||
     complain "no cells: $(cat text)"
 "$python" - <<'PYTHON' || complain "cells"
 import json, math
@@ -75,7 +75,7 @@ PYTHON
 # 6. Rolled with a shear strength: tau_0 over JKR's area, its limit and shift over its radius, which a run, predict
 # and limit share.
 rolling=$source_dir/examples/cases/adhesive_rolling.toml
-"$program" run "$rolling" --output rolled --quiet >text 2>&1 || complain "not rolled: $(cat text)"
+"$program" run "$rolling" --output rolled --no-studies --no-report --quiet >text 2>&1 || complain "not rolled: $(cat text)"
 "$program" predict "$rolling" --json >prediction.json || complain "rolling not predicted"
 "$program" limit "$rolling" --tolerance 1e-4 --output limit --quiet >text 2>&1 || complain "no limit: $(cat text)"
 "$python" - <<'PYTHON' || complain "rolling"
@@ -98,7 +98,7 @@ assert abs(found["limit"] - limit) < 2e-4, found
 PYTHON
 
 # 7. Separation that takes more than the approach gains: a loop loses more than its jumps, off at the same force.
-"$program" run "$case" --set 'adhesion.approach_work="20 mJ/m2"' --output hysteresis --quiet >text 2>&1 || complain "no hysteresis: $(cat text)"
+"$program" run "$case" --set 'adhesion.approach_work="20 mJ/m2"' --output hysteresis --no-studies --no-report --quiet >text 2>&1 || complain "no hysteresis: $(cat text)"
 "$python" - <<'PYTHON' || complain "hysteresis"
 import csv, json, math
 model = json.load(open("hysteresis/summary.json"))["models"]["mdr"]
@@ -111,7 +111,7 @@ PYTHON
 
 # 8. With a range, lambda = 3, springs are Maugis' contact, which predict has in closed form; bodies jump together before they touch.
 range=(--set 'adhesion.peak_stress="96 kPa"')
-"$program" run "$case" "${range[@]}" --output range --no-studies --quiet >text 2>&1 || complain "no range: $(cat text)"
+"$program" run "$case" "${range[@]}" --output range --no-studies --no-report --quiet >text 2>&1 || complain "no range: $(cat text)"
 "$program" predict "$case" "${range[@]}" --json >prediction.json || complain "range not predicted"
 "$python" - <<'PYTHON' || complain "range"
 import csv, json

@@ -23,7 +23,7 @@ normal_force = "20 N"
 tangential_ratio = 0.3
 [rolling]
 amplitude_ratio = 0.15
-periods = 6
+periods = 4
 steps = "turning-points"
 [fem]
 size = "0.5 mm"
@@ -38,20 +38,20 @@ for key in indentation_m contact_radius_m static_shift_m settled_shift_m limit_t
 done
 # Springs on a line: exact for the pressing of bodies of revolution, elements of a/100; shifts are
 # those of the mean over the circle, uncoupled.
-"$program" run springs.toml --models mdr-layer --quiet --no-studies --output line || complain "mdr-layer does not run"
+"$program" run springs.toml --models mdr-layer --quiet --no-studies --no-report --output line || complain "mdr-layer does not run"
 for key in indentation_m:5e-3 peak_pressure_Pa:5e-3 limit_tangential_ratio:5e-3 static_shift_m:1e-2; do
     near "$(value mdr-layer "${key%:*}" line/summary.json)" "$(value bem-layer "${key%:*}" run/summary.json)" "${key#*:}" \
         "${key%:*} of mdr-layer"
 done
 # So they are on a half-space.
-"$program" run springs.toml --set 'models=["mdr","bem"]' --quiet --no-studies --output half || complain "mdr does not run"
+"$program" run springs.toml --set 'models=["mdr","bem"]' --quiet --no-studies --no-report --output half || complain "mdr does not run"
 for key in indentation_m:3e-3 peak_pressure_Pa:3e-3 limit_tangential_ratio:5e-3 static_shift_m:1e-2; do
     near "$(value mdr "${key%:*}" half/summary.json)" "$(value bem "${key%:*}" half/summary.json)" "${key#*:}" \
         "${key%:*} of mdr"
 done
 # The springs matter: without them the same shift is less.
 "$program" run springs.toml --models bem-layer --set "interface.normal_stiffness=5000 MPa/mm" \
-    --set "interface.tangential_stiffness=5000 MPa/mm" --quiet --no-studies --output stiff
+    --set "interface.tangential_stiffness=5000 MPa/mm" --quiet --no-studies --no-report --output stiff
 awk -v a="$(value bem-layer static_shift_m run/summary.json)" \
     -v b="$(value bem-layer static_shift_m stiff/summary.json)" 'BEGIN { exit !(a > 1.05 * b) }' ||
     complain "springs of 3 MPa/mm change no shift"
@@ -92,7 +92,7 @@ force = json.load(open("compared/comparison.json"))["quantities"]["normal_force"
 assert force["verdict"] == "pass" and abs(force["difference"]) < 1e-3, force
 PYTHON
 for pair in 26:-0.0403 2600:-0.00031; do
-    "$program" run pressed.toml --set "interface.normal_stiffness=${pair%:*} MPa/mm" --quiet --no-studies \
+    "$program" run pressed.toml --set "interface.normal_stiffness=${pair%:*} MPa/mm" --quiet --no-studies --no-report \
         --output "k${pair%:*}"
     near "$(value bem-layer normal_force_N "k${pair%:*}/summary.json")" \
         "$(awk -v x="${pair#*:}" 'BEGIN { print 16.48962 * (1 + x) }')" 1e-3 "penalty of ${pair%:*} MPa/mm"

@@ -32,14 +32,15 @@ printf 'x [mm], factor\n-20, 1\n20, 1\n' >same.csv
 
 # 1. Without coupling the limit does not ask on which side the rougher half lies: the path is
 # symmetric. A map of ones is no map: both solve to 1e-7.
-for name in stripes mirrored same same_in_plane; do
-    "$program" run case.toml --set "friction.map=$name.csv" --quiet --no-studies --output "$name" ||
+"$program" run case.toml --set "friction.map=stripes.csv" --quiet --no-studies --output stripes || complain "stripes does not run"
+for name in same same_in_plane; do
+    "$program" run case.toml --set "friction.map=$name.csv" --quiet --no-studies --no-report --output "$name" ||
         complain "$name does not run"
 done
 grep -v '^map' case.toml >plain.toml
-"$program" run plain.toml --quiet --no-studies --output plain || complain "the plain case does not run"
+"$program" run plain.toml --quiet --no-studies --no-report --output plain || complain "the plain case does not run"
 for name in stripes mirrored; do
-    "$program" run case.toml --set "friction.map=$name.csv" --set contact.coupling=false --quiet --no-studies \
+    "$program" run case.toml --set "friction.map=$name.csv" --set contact.coupling=false --quiet --no-studies --no-report \
         --output "$name-uncoupled"
 done
 near "$(value bem-layer limit_tangential_ratio stripes-uncoupled/summary.json)" \
@@ -52,7 +53,7 @@ awk -v a="$(value bem-layer static_shift_m stripes/summary.json)" -v b="$(value 
     'BEGIN { exit !(a > 1.005 * b || a < 0.995 * b) }' || complain "stripes change no shift"
 grep -q "times a map" stripes/report.html || complain "the page does not say the map"
 if has_fem; then
-    "$program" run case.toml --models fem --set "fem.size=1.5 mm" --quiet --no-studies --output fem || complain "fem does not run"
+    "$program" run case.toml --models fem --set "fem.size=1.5 mm" --quiet --no-studies --no-report --output fem || complain "fem does not run"
     near "$(value fem static_shift_m fem/summary.json)" "$(value bem-layer static_shift_m stripes/summary.json)" 0.03 \
         "fem, three elements in the radius"
 fi

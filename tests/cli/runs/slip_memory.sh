@@ -25,7 +25,7 @@ awk -v e="$(value bem released_energy_J jumps/summary.json)" -v n="$(value bem s
     complain "a jump sets free $(value bem released_energy_J jumps/summary.json) J in $(value bem steps_of_other_states jumps/summary.json) steps"
 
 # 3. Under a force up to the peak alone.
-run "$case_file" --set path.table='"normal_force [N], tangential_force_x [N]\n9.6, 0\n9.6, 4.6"' --output force
+run "$case_file" --set path.table='"normal_force [N], tangential_force_x [N]\n9.6, 0\n9.6, 4.6"' --no-report --output force
 [ $? = 2 ] || complain "a force beyond the peak: $(cat told.txt)"
 grep -q "N is more than friction carries that falls with the slip (5.472 N at rest)" told.txt || complain "$(cat told.txt)"
 [ ! -e force/summary.json ] || complain "a summary of no state"
@@ -35,7 +35,7 @@ sed '/friction.weakening/,/^$/d' "$case_file" >yield.toml
 printf '[interface]\nyield_stress = "0.08 MPa"\nhardening = "0.5 MPa/mm"\n' >>yield.toml
 if has_fem; then
     run yield.toml --set models='["bem-layer", "fem"]' --set 'substrate.thickness="12 mm"' --set bem.cells_per_radius=8 \
-        --set path.table='"indentation [mm], shift_x [um], shift_y [um]\n0.3, 0, 0\n0.3, 150, 0"' --set path.steps=3 --output layer ||
+        --set path.table='"indentation [mm], shift_x [um], shift_y [um]\n0.3, 0, 0\n0.3, 150, 0"' --set path.steps=3 --no-report --output layer ||
         complain "a layer: $(cat told.txt)"
     "$python" - <<'PYTHON' || complain "fem and bem-layer differ"
 import csv
@@ -49,8 +49,8 @@ fi
 # 5. Rolled back and forth a layer that hardens is worn in: the limit is that of the surfaces, from where it settles.
 rolled=$source_dir/examples/cases/rig_sphere_parallel.toml
 run "$rolled" --models bem --set bem.cells_per_radius=10 --set 'interface.yield_stress="0.1 MPa"' --set 'interface.hardening="2 MPa/mm"' \
-    --output hard || complain "rolled: $(cat told.txt)"
-run "$rolled" --models bem --set bem.cells_per_radius=10 --output coulomb || complain "rolled: $(cat told.txt)"
+    --no-report --output hard || complain "rolled: $(cat told.txt)"
+run "$rolled" --models bem --set bem.cells_per_radius=10 --no-report --output coulomb || complain "rolled: $(cat told.txt)"
 for key in unit_shift_m limit_tangential_ratio limit_amplitude_ratio; do
     awk -v a="$(value bem $key hard/summary.json)" -v b="$(value bem $key coulomb/summary.json)" 'BEGIN { exit !(a > 0 && (a / b - 1) ^ 2 < 1e-20) }' ||
         complain "$key: $(value bem $key hard/summary.json), $(value bem $key coulomb/summary.json) of the surfaces"
@@ -60,14 +60,14 @@ awk -v a="$(value bem settled_shift_m hard/summary.json)" -v b="$(value bem sett
 
 if has_fem; then
     run "$rolled" --set models='["bem-layer", "fem"]' --set 'substrate.thickness="12 mm"' --set bem.cells_per_radius=10 --set rolling.periods=2 \
-        --set 'interface.yield_stress="0.08 MPa"' --set 'interface.hardening="1 MPa/mm"' --output rolled_layer || complain "rolled on a layer: $(cat told.txt)"
+        --set 'interface.yield_stress="0.08 MPa"' --set 'interface.hardening="1 MPa/mm"' --no-report --output rolled_layer || complain "rolled on a layer: $(cat told.txt)"
     awk -v a="$(value fem final_shift_m rolled_layer/summary.json)" -v b="$(value bem-layer final_shift_m rolled_layer/summary.json)" 'BEGIN { exit !(a > 0 && (a / b - 1) ^ 2 < 1e-4) }' ||
         complain "rolled: fem $(value fem final_shift_m rolled_layer/summary.json), bem-layer $(value bem-layer final_shift_m rolled_layer/summary.json) m"
 fi
 
 # 6. Bodies that relax have it too.
 run "$case_file" --set 'substrate.relaxation.relative_moduli=[0.5]' --set 'substrate.relaxation.times=["0.5 s"]' --set bem.cells_per_radius=8 \
-    --set path.table='"time [s], indentation [mm], shift_x [um], shift_y [um]\n1, 0.3, 0, 0\n2, 0.3, 200, 0\n9, 0.3, 200, 0"' --output relaxing ||
+    --set path.table='"time [s], indentation [mm], shift_x [um], shift_y [um]\n1, 0.3, 0, 0\n2, 0.3, 200, 0\n9, 0.3, 200, 0"' --no-report --output relaxing ||
     complain "a relaxing body: $(cat told.txt)"
 
 # 7. Refused by name.

@@ -26,7 +26,7 @@ using std::numbers::pi;
 using test::AdhesiveBall;
 using theory::strength_rolling;
 
-constexpr double strength = 2e3, elements = 4;
+constexpr double strength = 2e3, elements = 3;
 
 /// On a layer as thick as the radius at which it lets go of a half-space; pressed to this depth.
 AdhesiveBall pressed_ball(double depth) {

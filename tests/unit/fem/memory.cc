@@ -35,7 +35,7 @@ fem::LayerProblem rig(double size) {
 TEST(FemMemory, NeedIsPredicted) {
     expect_in_process([] {
         fem::condense(rig(3e-3));  // libraries take what they need once
-        const auto problem = rig(1e-3);
+        const auto problem = rig(1.3e-3);
         fem::return_freed_memory();
         const double before = status("VmRSS:");
         const double predicted = fem::predicted_bytes(problem);

@@ -54,7 +54,7 @@ TEST(ResidualCorrelation, AFittedConstantTakesTheVarianceOfTheMean) {
 }
 
 // Chances of what is due to chance are uniform: 5 of 100 are below 5 %. Three standard deviations
-// of 600 samples; fourteen rows beside three columns, as tables have.
+// of 300 samples; fourteen rows beside three columns, as tables have.
 TEST(ResidualCorrelation, IndependentErrorsAreFoundCorrelatedAsOftenAsStated) {
     constexpr std::size_t n = 14;
     auto columns = line(n);
@@ -62,7 +62,7 @@ TEST(ResidualCorrelation, IndependentErrorsAreFoundCorrelatedAsOftenAsStated) {
     for (std::size_t i = 0; i < n; ++i) columns[2].push_back(std::exp(-.4 * double(i)));
     const ResidualProjection projection(columns);
     std::mt19937_64 generator(1);
-    constexpr int n_samples = 600;
+    constexpr int n_samples = 300;
     int n_below = 0;
     for (int k = 0; k < n_samples; ++k) {
         const auto errors = autoregressive(0, n, generator);
@@ -81,7 +81,7 @@ TEST(ResidualCorrelation, OfAutoregressiveErrorsIsTheirs) {
     const ResidualProjection projection(line(n));
     std::mt19937_64 generator(2);
     for (const double rho : {.3, .7}) {
-        constexpr int n_samples = 20;
+        constexpr int n_samples = 10;
         double mean = 0, bound = 0;
         for (int k = 0; k < n_samples; ++k) {
             const auto errors = autoregressive(rho, n, generator);

@@ -39,7 +39,7 @@ bool holds(const statistics::Estimate& e, double truth) {
 }
 
 TEST(ExperimentRun, IntervalsOfOneRunCoverTheTruthAsOftenAsTheyClaim) {
-    constexpr int n_runs = 200;
+    constexpr int n_runs = 100;
     std::mt19937_64 random(1);
     for (const double correlation : {0., 0.7}) {
         SyntheticRecord synthetic = whole_record();
@@ -112,7 +112,7 @@ TEST(ExperimentRun, WobbleAndJitterDoNotReachTheValuesOfPeriods) {
 }
 
 TEST(Experiment, MeansOfRepeatsCoverTheTruthAsOftenAsTheyClaim) {
-    constexpr int n_sets = 150;
+    constexpr int n_sets = 80;
     std::mt19937_64 random(5);
     std::normal_distribution<double> gauss(0, 3);
     int n_68 = 0, n_95 = 0, n_increment = 0;

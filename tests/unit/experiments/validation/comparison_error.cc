@@ -54,7 +54,7 @@ TEST(ComparisonError, OneSourceHasItsOwnDegreesOfFreedom) {
 TEST(ComparisonError, FewRunsRejectNoMoreThanTheyClaim) {
     std::mt19937_64 random(7);
     std::normal_distribution<double> gauss;
-    constexpr int n = 20'000;
+    constexpr int n = 6000;  // .05 scatters by .0028, here three times
     for (const int runs : {2, 3, 5})
         for (const double known : {0., .3, 1., 3.}) {
             int wrongly = 0;
@@ -72,7 +72,7 @@ TEST(ComparisonError, FewRunsRejectNoMoreThanTheyClaim) {
                                         {{"runs", error, runs - 1.}, {"number", known}}};
                 wrongly += !e.agrees();
             }
-            EXPECT_LT(wrongly / double(n), .05 + .0046) << runs << " runs, " << known;
+            EXPECT_LT(wrongly / double(n), .05 + .0084) << runs << " runs, " << known;
         }
 }
 

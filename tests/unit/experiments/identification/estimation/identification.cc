@@ -79,12 +79,12 @@ TEST(Identification, ExactShiftsGiveTheirModulusAndFrictionBack) {
     EXPECT_LT(*found.correlation(0, 1), -.5);
 }
 
-// An interval of 90 % is to hold the truth in 90 of 100 measurements. The share among 200 has a
-// standard deviation of 2.1 %; four of them are allowed.
+// An interval of 90 % is to hold the truth in 90 of 100 measurements. The share among 100 has a
+// standard deviation of 3 %; four of them are allowed.
 class Coverage : public testing::TestWithParam<bool> {};
 
 TEST_P(Coverage, IsThatClaimed) {
-    constexpr int n = 200;
+    constexpr int n = 100;
     constexpr double noise = 2e-6;
     std::mt19937 generator(20240613);
     const auto exact = shift_task(forces_up_to(11, 12));

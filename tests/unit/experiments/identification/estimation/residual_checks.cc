@@ -106,7 +106,7 @@ TEST(ResidualChecks, DataOfAnotherLawShowAPattern) {
 // Independent errors: a pattern in 5 of 100, an outlier in 1 of 100, within three standard
 // deviations of 400 samples; the interval of 95 % stays one.
 TEST(ResidualChecks, IndependentErrorsAreNotCalledCorrelated) {
-    constexpr int n = 400;
+    constexpr int n = 200;
     const IdentificationTask exact = shift_task(12);
     std::mt19937_64 generator(11);
     int n_patterns = 0, n_outlying = 0, n_held = 0;
@@ -128,7 +128,7 @@ TEST(ResidualChecks, IndependentErrorsAreNotCalledCorrelated) {
 // of 95 %. Of 40 rows nearly all show it; the interval is then that of such errors, but for what
 // the estimate of the correlation lacks.
 TEST(ResidualChecks, CorrelatedErrorsWidenIntervalsAndAreNamed) {
-    constexpr int n = 150;
+    constexpr int n = 80;
     const IdentificationTask exact = shift_task(40);
     std::mt19937_64 generator(12);
     int n_patterns = 0, n_held = 0, n_held_or_named = 0;
