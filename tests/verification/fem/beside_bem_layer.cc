@@ -43,7 +43,7 @@ Case rolling_case(const Point& at, double size) {
 
 void expect_agreement(const Point& at) {
     SCOPED_TRACE(at.f);
-    const Case c = rolling_case(at, 5e-4);
+    const Case c = rolling_case(at, 7e-4);
     const History fem = contact::run(c, *make_layer_model(c));
     const History bem = contact::run(c, *bem::make_model(c, 1, bem::Body::layer));
     EXPECT_NEAR(fem.scales.indentation / bem.scales.indentation, 1, .003);
