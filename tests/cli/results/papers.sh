@@ -66,7 +66,7 @@ TOML
 exported sweep sweep studies/amplitudes.toml
 mv out_sweep out_fit
 exported fit fit studies/amplitudes.toml
-sed 's/^end = .*/end = 2000/' "$examples/cases/walking_set_b.toml" >slider.toml
+cp "$examples/cases/walking_set_b.toml" slider.toml
 cat >studies/walking.toml <<TOML
 case = "../slider.toml"
 [vary]
