@@ -89,6 +89,7 @@ elastic = {"indenter.young": '"20 MPa"', "indenter.poisson": "0.5"}
 # Bodies of finite elements do not roll, and a ball between plates takes no force along them.
 at_rest = {"rolling.*": None}
 pressed = {f"run {model}": {**at_rest, "load.tangential_ratio": "0.0"} for model in ("fem", "fem-axisymmetric")}
+steep = {"fem.growth": "3.0"}  # elements of a body whose numbers nobody reads
 hemisphere = {"indenter.body": '"hemisphere"', "indenter.support": '"holder"'}
 between_plates = {"indenter.young": '"20 MPa"', "indenter.poisson": "0.5", "indenter.body": '"ball"', "indenter.support": '"plates"', "contact.coupling": "false"}
 on_hub = {"indenter.body": '"cylinder"', "indenter.support": '"hub"', "indenter.hub_radius": '"10 mm"'}
@@ -206,7 +207,7 @@ features = [
     feature("body of the indenter", "indenter.body indenter.support indenter.hub_radius indenter.height",
             "indenter.body|indenter.young|elastic indenter|rigid", {**elastic, **hemisphere},
             {**elastic, "indenter.body": '"ball"', "indenter.support": '"plates"'},
-            over_for={**pressed, "run fem-plane": on_hub, "cache condense": pressed["run fem"]},
+            over_for={**pressed, "run fem": {**pressed["run fem"], **steep}, "run fem-plane": on_hub, "cache condense": pressed["run fem"]},
             other_for={"run fem-plane": {"indenter.hub_radius": '"20 mm"'}}),
     feature("unlike plates", "upper_plate.rigid upper_plate.young upper_plate.poisson upper_plate.thickness",
             "upper_plate|indenter.body|contact.coupling|coupling|indenter.young|elastic indenter|rigid",
@@ -219,7 +220,7 @@ features = [
             {**elastic, "indenter.mesh": '"body.msh"', "indenter.mesh_unit": '"1.1 mm"'}, over_for=pressed),
     feature("rigid substrate", "substrate.rigid", "substrate.rigid|substrate.thickness|substrate.young|rigid|layer", elastic,
             {**elastic, "substrate.*": None, "substrate.rigid": "true"},
-            over_for={"run fem": {**at_rest, **hemisphere, "fem.size": '"1 mm"'}, "run fem-axisymmetric": hemisphere, "run fem-plane": on_hub}),
+            over_for={"run fem": {**at_rest, **hemisphere, **steep, "fem.size": '"1 mm"'}, "run fem-axisymmetric": hemisphere, "run fem-plane": on_hub}),
     feature("hole in the substrate", "substrate.shape substrate.hole_radius substrate.outer_radius", "hole|flat substrate|substrate.thickness",
             in_hole, {**in_hole, "substrate.hole_radius": '"41 mm"'}),
     feature("punch with a sharp edge", "", "sharp edge|flat punch|punch along y|indenter.shape", flat_punch,
@@ -238,7 +239,7 @@ features = [
             {**elastic, **relaxing, "rolling.speed": '"5 mm/s"', "substrate.relaxation.body": '"both"'},
             over_for={**{f"run {model}": at_rest for model in ("mdr", "bem", "mdr-layer", "bem-layer")},
                       "run rolling on": {"tractive_rolling.speed": '"20 mm/s"', "rolling.*": None},
-                      "run fem": {**pressed["run fem"], **hemisphere, "fem.size": '"1 mm"'},
+                      "run fem": {**pressed["run fem"], **hemisphere, **steep, "fem.size": '"1 mm"'},
                       "run fem-axisymmetric": {**pressed["run fem-axisymmetric"], **hemisphere},
                       "run fem-plane": {**at_rest, **on_hub}}),
     feature("hold", "load.hold", "load.hold|relax", {}, {"load.hold": '"2 s"'},
@@ -316,7 +317,7 @@ def files():
     def profile(radius):  # mm
         return "r [mm], h [um]\n" + "".join(f"{r / 10}, {5 * r * r / radius:.6g}\n" for r in range(0, 81, 2))
 
-    shift = "tangential_force [N], shift [um]\n" + "".join(f"{f}, {f * 6 * (1 + f / 60):.4g}\n" for f in range(1, 8))
+    shift = "tangential_force [N], shift [um]\n" + "".join(f"{f}, {f * 6 * (1 + f / 60):.4g}\n" for f in range(1, 8, 2))
     # Of a ball under tension, E* = 6.9 MPa, w = 0.5 J/m2 (Johnson, Kendall and Roberts 1971).
     radius, modulus, work = 0.04, 6.9e6, 0.5
     jkr = [((a * a / radius - (2 * 3.14159 * a * work / modulus) ** 0.5) * 1e6,

@@ -38,7 +38,7 @@ models = ["mdr"]
 [vary]
 rolling.amplitude_ratio = [0.1, 0.2]
 TOML
-cp "$source_dir/examples/cases/walking_set_b.toml" slider.toml
+sed 's/^end = .*/end = 2000/' "$source_dir/examples/cases/walking_set_b.toml" >slider.toml
 sed 's|\.\./measurements/||' "$source_dir"/examples/rigs/sphere_parallel.toml >rig.toml
 cp "$source_dir"/examples/measurements/thesis_static_shift.csv .
 experiment=$source_dir/examples/records/synthetic_shakedown.toml
@@ -49,7 +49,7 @@ has_fem=$("$program" list | grep -c '^  fem ')
 commands=(
     "summary.json run ball.toml" "limit.csv limit ball.toml" "creep.csv run rolls.toml"
     "motion.csv run slider.toml" "ball.inp contact export ball.toml" "refinement.csv refine ball.toml --models bem"
-    "deviation.json deviation ball.toml --no-runs" "experiment.json experiment $experiment"
+    "deviation.json deviation ball.toml --no-runs" "experiment.json experiment $experiment --set models=['mdr']"
     "rig.json rig rig.toml" "identify.json identify rig.toml"
     "results.csv sweep study.toml" "results.sqlite sweep study.toml" "results.sqlite-journal sweep study.toml"
     "verification.json verify --short" ".tricontact limit ball.toml" "case.toml run ball.toml")

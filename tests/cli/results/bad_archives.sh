@@ -82,6 +82,6 @@ done
 "$program" run "$source_dir/examples/cases/rig_sphere_parallel.toml" --models mdr --set mdr.springs=100 \
     --set rolling.steps=turning-points --set rolling.periods=1 --no-studies --output small --export small_paper \
     --quiet >/dev/null || complain "export of a small archive"
-"$python" "$source_dir/tests/cli/results/bad_archives_random.py" "$program" small_paper/archive.zip 20261127 200 ||
+"$python" "$source_dir/tests/cli/results/bad_archives_random.py" "$program" small_paper/archive.zip 20261127 100 ||
     complain "archives changed at random"
 finish

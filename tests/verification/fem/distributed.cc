@@ -132,10 +132,12 @@ class FemDistributed : public testing::Test {
     FemDistributed() {
         std::string name = (fs::temp_directory_path() / "tricontact-mpi-XXXXXX").string();
         folder_ = mkdtemp(name.data());
-        // Open MPI refuses root and more ranks than cores unless told.
+        // Open MPI refuses root and more ranks than cores unless told; none is tied to a core that
+        // another test has.
         for (const char* variable : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
                                      "OMPI_MCA_rmaps_base_oversubscribe"})
             setenv(variable, "1", 1);
+        setenv("OMPI_MCA_hwloc_base_binding_policy", "none", 1);
     }
     ~FemDistributed() override { fs::remove_all(folder_); }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/benchmark/benchmark_case.h"
 #include "benchmarks/problems/problem.h"
 #include "benchmarks/problems/target_reference.h"
 #include "tests/unit/benchmarks/foreign.h"
@@ -14,9 +15,10 @@ namespace section_reference_test {
 
 namespace keys = quantity_keys;
 
+/// Computed, or kept by the program of the same sources: its pages of the problems have the same
+/// ones.
 Reference reference_of_problem(const std::string& name) {
-    return reference(required_problem(name).make_case(),
-                     contact::ModelRunner(app::model_makers(), 1));
+    return app::reference_of_case(required_problem(name).make_case(), 1, contact::silent);
 }
 
 const Reference& hemisphere() {

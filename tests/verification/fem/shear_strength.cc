@@ -83,7 +83,7 @@ TEST(FemShearStrength, CoupledRunCarriesTheSameLens) {
         c.rolling->amplitude_ratio.reset();
         c.rolling->amplitude = w * radius;
         c.rolling->run_all = true;
-        c.rolling->periods = 2;
+        c.rolling->periods = 1;
         const auto model = make_model(c, {});
         EXPECT_NEAR(contact::run(c, *model).limit_tangential_ratio, lens(w), tolerance) << fineness;
         EXPECT_TRUE(model->audit().passed());

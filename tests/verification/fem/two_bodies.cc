@@ -14,7 +14,8 @@
 // An indenter that deforms beside axisymmetric finite elements of another program (Q2, P1
 // discontinuous pressure, curved elements, three meshes each, their scatter at most 1e-4 of F and
 // 1e-3 of a): F within .3 %, a and p0 within 1 %, with 4 elements in the radius already. The
-// shallow cases take the finest meshes for their size and stand once each.
+// shallow cases take the finest meshes for their size and stand once each. What the default
+// accuracy makes of these bodies at d = 1 mm is in indenter_bodies.cc.
 
 namespace tricontact::fem::two_bodies_test {
 namespace {
@@ -91,9 +92,8 @@ void expect_as(const Reference& r, const Pressed& found) {
 constexpr double elements = 4;  // in the contact radius
 
 TEST(FemTwoBodies, HemisphereOnARigidPlane) {
-    for (const Reference& r :
-         {Reference{.495, .1, .38130, 1.0242, .173255}, Reference{.495, 1, 14.3762, 3.3742, .59060},
-          Reference{.3, 1, 12.0063, 3.3867, .48900}}) {
+    for (const Reference& r : {Reference{.495, .1, .38130, 1.0242, .173255},
+                               Reference{.3, 1, 12.0063, 3.3867, .48900}}) {
         const auto s = patch_for(r.a * mm, elements);
         auto part = body(Body::hemisphere, {2 * MPa, r.nu}, s);
         expect_as(r, press(PairCompliance(plane_patch(s), std::move(part)), r.d * mm));
@@ -102,8 +102,7 @@ TEST(FemTwoBodies, HemisphereOnARigidPlane) {
 
 TEST(FemTwoBodies, HemisphereOnALayer) {
     for (const Reference& r :
-         {Reference{.495, 1, 11.4475, 3.5162, .43566}, Reference{.3, .1, .21837, 1.0367, .096793},
-          Reference{.3, 1, 8.9953, 3.4774, .34873}}) {
+         {Reference{.3, .1, .21837, 1.0367, .096793}, Reference{.3, 1, 8.9953, 3.4774, .34873}}) {
         const auto s = patch_for(r.a * mm, elements);
         auto part = body(Body::hemisphere, {2 * MPa, r.nu}, s);
         auto below = layer({4 * MPa, r.nu}, s);
@@ -112,9 +111,8 @@ TEST(FemTwoBodies, HemisphereOnALayer) {
 }
 
 TEST(FemTwoBodies, BallBetweenPlates) {
-    for (const Reference& r :
-         {Reference{.3, .1, .30964, 1.0185, .142175}, Reference{.3, 1, 11.2588, 3.3257, .47591},
-          Reference{.495, 1, 12.5632, 3.2421, .55987}}) {
+    for (const Reference& r : {Reference{.3, .1, .30964, 1.0185, .142175},
+                               Reference{.495, 1, 12.5632, 3.2421, .55987}}) {
         const auto s = patch_for(r.a * mm, elements);
         expect_as(r, press(PairCompliance(plane_patch(s), body(Body::ball, {2 * MPa, r.nu}, s)),
                            r.d * mm));
@@ -157,8 +155,7 @@ TEST(FemTwoBodies, TangentialStiffnessOfAGluedCircle) {
     struct Glued {
         double nu, a, stiffness;  // [-], [mm], over E = 2 MPa: [N/mm]
     };
-    for (const Glued& g : {Glued{.495, 2, 4.8153}, Glued{.495, 3, 6.760}, Glued{.3, 2, 5.1916},
-                           Glued{.3, 3, 7.325}}) {
+    for (const Glued& g : {Glued{.495, 3, 6.760}, Glued{.3, 2, 5.1916}}) {
         std::array<double, 2> found{};
         for (int level = 0; level < 2; ++level) {
             const auto s = patch_for(g.a * mm, level == 0 ? elements / 2 : elements);
