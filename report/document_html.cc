@@ -11,6 +11,7 @@
 #include "report/document.h"
 #include "report/document_csv.h"
 #include "report/format.h"
+#include "report/gnuplot_figure.h"
 #include "report/packed.h"
 #include "report/page_templates.h"
 #include "report/player_json.h"
@@ -111,6 +112,7 @@ data figure_data(const Figure& content, const std::string& plots) {
                    {"wide", content.panels.size() > 2},
                    {"files", plots.empty() ? "" : plots + "/" + content.id},
                    {"has_files", !plots.empty()},
+                   {"has_png", has_png(content)},
                    {"csv", plots.empty() ? base64(figure_csv(content)) : ""}});
 }
 

@@ -287,16 +287,24 @@ Picture picture_of(const Figure& figure, const PictureLayout& layout) {
     return figure.map ? map_picture(figure, layout) : curves_picture(figure, layout);
 }
 
+bool has_png(const Figure& figure) {
+    return !figure.map || !figure.id.starts_with("difference_");
+}
+
 std::vector<Drawing> draw_all(const std::vector<Figure>& figures) {
     std::vector<Sheet> sheets;
-    for (const Figure& figure : figures)
-        for (const ImageFormat format : {ImageFormat::svg, ImageFormat::png})
-            sheets.push_back(sheet_for_pages(picture_of(figure), format));
+    for (const Figure& figure : figures) {
+        Picture picture = picture_of(figure);
+        if (has_png(figure)) sheets.push_back(sheet_for_pages(picture, ImageFormat::png));
+        sheets.push_back(sheet_for_pages(std::move(picture), ImageFormat::svg));
+    }
     std::vector<std::string> images = draw(sheets);
     std::vector<Drawing> drawings;
-    for (std::size_t k = 0; k < figures.size(); ++k)
-        drawings.push_back(
-            {with_words(std::move(images[2 * k]), figures[k]), std::move(images[2 * k + 1])});
+    auto image = images.begin();
+    for (const Figure& figure : figures) {
+        std::string png = has_png(figure) ? std::move(*image++) : "";
+        drawings.push_back({with_words(std::move(*image++), figure), std::move(png)});
+    }
     return drawings;
 }
 

@@ -21,10 +21,13 @@ Picture picture_of(const Figure& figure, const PictureLayout& layout = {});
 /// A drawing as SVG with the figure's title and description instead of gnuplot's own.
 std::string with_words(std::string svg, const Figure& figure);
 
-/// The files of one figure.
+/// The files of one figure; `png` is empty without has_png().
 struct Drawing {
     std::string svg, png;
 };
+/// Not of maps of differences: of five models there are twenty, and gnuplot spends more on their
+/// PNG than the run on the differences.
+bool has_png(const Figure& figure);
 /// Draws all figures; results in the order given. Throws GnuplotError.
 std::vector<Drawing> draw_all(const std::vector<Figure>& figures);
 

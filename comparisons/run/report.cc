@@ -172,7 +172,7 @@ std::vector<ReportFile> report_files(const report::Document& document) {
     for (std::size_t i = 0; i < figures.size(); ++i) {
         const std::string name = document.plots + "/" + figures[i].id;
         files.push_back({name + ".svg", drawings[i].svg});
-        files.push_back({name + ".png", drawings[i].png});
+        if (report::has_png(figures[i])) files.push_back({name + ".png", drawings[i].png});
         files.push_back({name + ".csv", report::figure_csv(figures[i])});
     }
     return files;

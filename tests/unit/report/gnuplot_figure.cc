@@ -67,6 +67,20 @@ TEST(GnuplotFigure, AllKindsAreDrawnInBothFormats) {
     EXPECT_TRUE(contains(drawings[2].svg, ">n\u00a0=\u00a00<"));
 }
 
+// Curves of a difference, as of line contacts, keep theirs.
+TEST(GnuplotFigure, MapsOfDifferencesHaveNoPng) {
+    Figure difference = map(), line = curves();
+    difference.id = line.id = "difference_pressure_fem_bem";
+    const auto drawings = draw_all({line, difference, curves()});
+    ASSERT_EQ(drawings.size(), 3u);
+    EXPECT_TRUE(drawings[1].png.empty());
+    EXPECT_TRUE(contains(drawings[1].svg, ">largest<"));
+    for (const int other : {0, 2}) {
+        EXPECT_TRUE(contains(drawings[other].svg, ">exact<"));
+        EXPECT_TRUE(drawings[other].png.starts_with("\x89PNG\r\n\x1a\n"));
+    }
+}
+
 // A drawing that has left its page still says what it shows and what made it.
 TEST(GnuplotFigure, DrawingsSayWhatMadeThem) {
     Figure figure = curves();
