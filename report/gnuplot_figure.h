@@ -25,7 +25,7 @@ std::string with_words(std::string svg, const Figure& figure);
 struct Drawing {
     std::string svg, png;
 };
-/// Not of maps of differences: of five models there are twenty, and gnuplot spends more on their
+/// Not of maps of differences: of five models there are eighteen, and gnuplot spends more on their
 /// PNG than the run on the differences.
 bool has_png(const Figure& figure);
 /// Draws all figures; results in the order given. Throws GnuplotError.

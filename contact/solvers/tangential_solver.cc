@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <list>
+#include <memory>
+#include <utility>
+
 #include "contact/base/error.h"
 #include "contact/compliances/blocks.h"
 #include "contact/solvers/tangential_newton.h"
@@ -24,6 +29,72 @@ void leave_apart(const TangentialProblem& problem, TangentialSolution& solution)
         if (problem.control[d].kind == TangentialControl::Kind::shift)
             solution.shift_increment[d] = problem.control[d].value;
 }
+
+constexpr std::size_t most_kept = std::size_t{64} << 20;  // [bytes]
+
+/// What the operator of n points takes [bytes]: a matrix of 2n rows in double and single precision
+/// and its factor.
+std::size_t size_of_dense(std::size_t n) {
+    return 4 * n * n * (sizeof(double) + 2 * sizeof(float));
+}
+
+/// Dense operators, the last one used in front: a contact that rolls to and fro comes back to the
+/// same points, and what was gathered and factorised for them.
+class KeptOperators final : public ActiveOperator {
+  public:
+    explicit KeptOperators(const Compliance& compliance) : compliance_(compliance) {}
+
+    /// One of at most most_kept.
+    const ActiveOperator& among(const std::vector<std::size_t>& active) const {
+        const auto at = std::ranges::find(kept_, active, &Kept::active);
+        if (at != kept_.end()) {
+            kept_.splice(kept_.begin(), kept_, at);
+            return present();
+        }
+        const std::size_t size = size_of_dense(active.size());
+        make_room(size);
+        Kept& own = kept_.front();
+        own.products = make_active_operator(compliance_, active, &own.memory);
+        own.active = active;
+        return present();
+    }
+
+    void apply(const TangentialField& t, TangentialField& u) const override {
+        present().apply(t, u);
+    }
+    void precondition(const TangentialField& r, TangentialField& z) const override {
+        present().precondition(r, z);
+    }
+
+  private:
+    struct Kept {
+        std::vector<std::size_t> active = {};  // empty without products
+        std::size_t size = 0;                  // [bytes]
+        OperatorMemory memory = {};
+        std::unique_ptr<const ActiveOperator> products = {};
+    };
+
+    const ActiveOperator& present() const { return *kept_.front().products; }
+
+    /// In front: new memory, or what has not been used for longest where there is no more.
+    void make_room(std::size_t size) const {
+        if (kept_.empty() || size_ + size <= most_kept) {
+            kept_.emplace_front();
+        } else {
+            kept_.splice(kept_.begin(), kept_, std::prev(kept_.end()));
+            kept_.front().products.reset();
+            kept_.front().active.clear();
+        }
+        Kept& own = kept_.front();
+        size_ += std::max(own.size, size) - own.size;  // memory does not shrink
+        own.size = std::max(own.size, size);
+        for (; size_ > most_kept && kept_.size() > 1; kept_.pop_back()) size_ -= kept_.back().size;
+    }
+
+    const Compliance& compliance_;
+    mutable std::list<Kept> kept_;
+    mutable std::size_t size_ = 0;  // of all [bytes]
+};
 
 }  // namespace
 
@@ -53,10 +124,20 @@ void TangentialSolver::solve(const TangentialProblem& problem, TangentialSolutio
         points.points_where([&](std::size_t i) { return problem.bound[i] > 0; });
     if (active.empty()) return leave_apart(problem, solution);
     const ActiveOperator& products = products_among(active);
-    TangentialNewton(compliance_, active_, products, problem, tolerance_, solution).run();
+    TangentialNewton(compliance_, active, products, problem, tolerance_, solution).run();
 }
 
 const ActiveOperator& TangentialSolver::products_among(const std::vector<std::size_t>& active) {
+    if (compliance_.dense() && size_of_dense(active.size()) <= most_kept) {
+        const auto* kept = dynamic_cast<const KeptOperators*>(products_.get());
+        if (!kept) {
+            auto made = std::make_unique<const KeptOperators>(compliance_);
+            kept = made.get();
+            products_ = std::move(made);
+            active_.clear();
+        }
+        return kept->among(active);
+    }
     if (!products_ || active != active_) {
         products_.reset();
         active_ = active;
