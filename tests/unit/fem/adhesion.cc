@@ -93,16 +93,6 @@ TEST_F(FemAdhesion, LosesNothingBetweenTheJumps) {
     EXPECT_TRUE(model_->audit().passed());
 }
 
-// What the steps of a run lose in its jumps is what the force works around the loop; on a layer
-// thick enough to jump on coarse elements.
-TEST(FemAdhesiveLoop, LosesItsWorkInJumps) {
-    const AdhesiveBall ball = on_layer(4, 3);
-    const auto model = fem::make_model(ball.c, {});
-    const auto [lost, work] = test::energy_of_loop(*model, ball, -2, 1);
-    EXPECT_GT(lost, .05 * ball.force() * ball.depth());
-    EXPECT_NEAR(lost / work, 1, 1e-3);
-}
-
 // The fields for ParaView, of both halves of the surface.
 TEST_F(FemAdhesion, TellsTensionAndItsWork) {
     ball_->press(*model_, .5);
