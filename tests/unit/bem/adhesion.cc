@@ -10,13 +10,11 @@
 #include <numbers>
 
 #include "bem/model.h"
-#include "bem/settings.h"
 #include "contact/base/error.h"
 #include "contact/cells.h"
 #include "contact/larger_grids.h"
 #include "contact/run.h"
 #include "tests/unit/adhesive_ball.h"
-#include "tests/unit/adhesive_loop.h"
 #include "theory/adhesive/adhesive_curve.h"
 #include "theory/adhesive/adhesive_layer.h"
 #include "theory/adhesive/maugis_dugdale.h"
@@ -69,23 +67,6 @@ TEST(BemAdhesion, ForcesOfMaugisTransition) {
                 << lambda;
         }
         EXPECT_TRUE(model->audit().passed());
-    }
-}
-
-// Dugdale's tension over a ring of three cells, pressed and pulled: fronts are not held by cells,
-// so that states on the way up and down are the same, and the errors are those of the ring's edge.
-TEST(BemAdhesion, ShortRangeIsNotHeldByCells) {
-    Ball ball(3, 40, 1.1);
-    ball.c.of<bem::Settings>().tolerance = 1e-5;
-    const auto model = bem::make_model(ball.c, 1);
-    at(*model, ball, 1.1);
-    for (const double depth : {1., .9, 1.}) {
-        const double force = at(*model, ball, depth).normal_force / ball.force();
-        EXPECT_NEAR(force, maugis_at(3, depth).force, 9e-3) << depth;
-        if (depth == 1) {
-            static double first = force;
-            EXPECT_NEAR(force, first, 5e-4);
-        }
     }
 }
 
@@ -177,22 +158,6 @@ TEST(BemAdhesion, LosesTheEnergyOfItsJumpsAlone) {
     EXPECT_EQ(resumed->pull_off().value().force, off->force);
     EXPECT_LT(off->last_indentation, off->indentation);
     EXPECT_GT(off->last_indentation, -1.5 * ball.depth());
-}
-
-// What the steps of a run lose in its jumps is what the force works around the loop.
-TEST(BemAdhesion, LoopLosesItsWorkInJumps) {
-    const auto expect_closed = [](double lambda, double cells, bem::Body body) {
-        Ball ball(lambda, cells, 1);
-        if (body == bem::Body::layer) ball.c.layer.thickness = 2 * ball.radius();
-        const auto model = bem::make_model(ball.c, 1, body);
-        const auto [lost, work] = test::energy_of_loop(*model, ball, -2, 1);
-        EXPECT_GT(lost, .05 * ball.force() * ball.depth());
-        EXPECT_NEAR(lost / work, 1, 1e-3) << lambda;
-        EXPECT_TRUE(model->audit().passed());
-    };
-    expect_closed(0, 5, bem::Body::half_space);
-    expect_closed(1, 5, bem::Body::half_space);
-    expect_closed(0, 6, bem::Body::layer);
 }
 
 // Against the integral equation of the layer, from thick to thin ones: the contact under a force,

@@ -93,16 +93,6 @@ TEST_F(FemAdhesion, LosesNothingBetweenTheJumps) {
     EXPECT_TRUE(model_->audit().passed());
 }
 
-// What the steps of a run lose in its jumps is what the force works around the loop; on a layer
-// thick enough to jump on coarse elements.
-TEST(FemAdhesiveLoop, LosesItsWorkInJumps) {
-    const AdhesiveBall ball = on_layer(4, 3);
-    const auto model = fem::make_model(ball.c, {});
-    const auto [lost, work] = test::energy_of_loop(*model, ball, -2, 1);
-    EXPECT_GT(lost, .05 * ball.force() * ball.depth());
-    EXPECT_NEAR(lost / work, 1, 1e-3);
-}
-
 // The fields for ParaView, of both halves of the surface.
 TEST_F(FemAdhesion, TellsTensionAndItsWork) {
     ball_->press(*model_, .5);
@@ -125,7 +115,7 @@ TEST_F(FemAdhesion, TellsTensionAndItsWork) {
 // Hardly deformed, what holds is about 2 pi w R; on a layer, which gives way less, more than Maugis
 // has for a half-space. The tension ends across the nodes of elements.
 TEST_F(FemAdhesion, HoldsAsBodiesThatTheTensionDoesNotDeform) {
-    const AdhesiveBall ball = on_layer(4, .3, .02);
+    const AdhesiveBall ball = on_layer(1, .6, .02);
     const auto model = fem::make_model(ball.c, {});
     const double force = ball.press(*model, 0).normal_force / ball.force();
     EXPECT_NEAR(force, -2, .02);
