@@ -65,8 +65,9 @@ std::vector<idx_t> nested_dissection(NodeGraph& graph) {
                             order.data(), position.data());
     };
     int status = dissect();
-    // METIS catches SIGTERM while it works and returns this error. The signal is sent once more, now
-    // that METIS' handler is gone; who outlives it (a handler of Python's, none at all) goes on.
+    // METIS catches SIGTERM while it works and returns this error. The signal is sent once more,
+    // now that METIS' handler is gone; who outlives it (a handler of Python's, none at all) goes
+    // on.
     if (status == METIS_ERROR) {
         std::raise(SIGTERM);
         contact::interruption_point();
