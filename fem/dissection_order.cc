@@ -2,9 +2,11 @@
 
 #include <metis.h>
 
+#include <csignal>
 #include <new>
 #include <stdexcept>
 
+#include "contact/base/interruption.h"
 #include "fem/memory.h"
 
 // Nested dissection on the graph of nodes instead of unknowns: a third of the vertices, and the
@@ -58,8 +60,19 @@ std::vector<idx_t> nested_dissection(NodeGraph& graph) {
     options[METIS_OPTION_NUMBERING] = 0;
     options[METIS_OPTION_SEED] = 1;  // the same order in every run
     idx_t n = graph.size();
-    const int status = METIS_NodeND(&n, graph.start.data(), graph.neighbour.data(), nullptr,
-                                    options, order.data(), position.data());
+    const auto dissect = [&] {
+        return METIS_NodeND(&n, graph.start.data(), graph.neighbour.data(), nullptr, options,
+                            order.data(), position.data());
+    };
+    int status = dissect();
+    // METIS catches SIGTERM while it works and returns this error. The signal is sent once more,
+    // now that METIS' handler is gone; who outlives it (a handler of Python's, none at all) goes
+    // on.
+    if (status == METIS_ERROR) {
+        std::raise(SIGTERM);
+        contact::interruption_point();
+        status = dissect();
+    }
     if (status == METIS_ERROR_MEMORY) throw std::bad_alloc();
     if (status != METIS_OK) throw std::logic_error("METIS_NodeND refuses the graph of the nodes");
     return order;
