@@ -68,7 +68,8 @@ static void to_json(json& out, const ContourMap& map) {
            {"x", map.x},
            {"y", map.y},
            {"rows", rows(map.values, map.x.size())},
-           {"levels", map.levels}};
+           {"levels", map.levels},
+           {"about_zero", map.about_zero}};
 }
 
 static void to_json(json& out, const Kind& kind) {

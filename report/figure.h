@@ -59,6 +59,7 @@ struct ContourMap {
     std::vector<double> x, y;         ///< increasing
     std::vector<double> values;       ///< x fastest; NaN is a gap
     std::vector<double> levels = {};  ///< of the lines; empty: chosen
+    bool about_zero = false;          ///< two hues, as dark for values of either sign
 };
 
 struct FigureAxis {

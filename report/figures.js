@@ -68,14 +68,15 @@ function round_step(least) {
 function map_traces(map, theme) {
     const values = map.rows.flat().filter(value => value !== null);
     if (!values.length) return [];
-    const low = values.reduce((a, b) => Math.min(a, b));
-    const high = values.reduce((a, b) => Math.max(a, b));
+    let low = values.reduce((a, b) => Math.min(a, b));
+    let high = values.reduce((a, b) => Math.max(a, b));
+    if (map.about_zero) [low, high] = [-Math.max(-low, high), Math.max(-low, high)];
     const step = round_step((high - low) / most_grounds);
     const grid = {type: "contour", x: map.x, y: map.y, z: map.rows, connectgaps: false};
     const line = {color: "#1a1a1a", width: 1};
     const label = {size: 11, color: "#000000"};
     const traces = [{
-        ...grid, colorscale: charts.ground, zmin: low, zmax: high, line: {width: 0},
+        ...grid, colorscale: map.about_zero ? charts.ground_about_zero : charts.ground, zmin: low, zmax: high, line: {width: 0},
         contours: {coloring: "fill", size: step, end: high,
                    start: Math.ceil(low / step) * step},
         colorbar: {title: {text: map.label, side: "right"}, thickness: 14, outlinewidth: 0,
@@ -91,8 +92,10 @@ function map_traces(map, theme) {
     if (!map.levels.length)
         traces.push({
             ...grid, line, colorscale: [[0, line.color], [1, line.color]], showscale: false,
-            hoverinfo: "skip", ncontours: 8,
-            contours: {coloring: "lines", showlabels: true, labelfont: label},
+            hoverinfo: "skip", ncontours: 8, autocontour: !map.about_zero,
+            contours: {coloring: "lines", showlabels: true, labelfont: label,
+                       // Not at 0, where rounding draws lines.
+                       ...map.about_zero && {start: .75 * low, end: .75 * high, size: .5 * high}},
         });
     return traces;
 }

@@ -128,6 +128,9 @@ Picture curves_picture(const Figure& figure, const PictureLayout& layout) {
 constexpr const char* palette =
     "set palette defined (0 '#2a788e', 1 '#21918c', 2 '#22a884', 3 '#44bf70', 4 '#7ad151', "
     "5 '#bddf26', 6 '#fde725')\n";
+// Two hues (Okabe and Ito), those of the player's differences.
+constexpr const char* palette_about_zero =
+    "set palette defined (0 '#0072b2', 1 '#a0c8e1', 2 '#f7f7f7', 3 '#f0b482', 4 '#d55e00')\n";
 
 /// The ends of an axis of a map, which its values reach where nothing else is said.
 FigureAxis filled(FigureAxis axis, const std::vector<double>& values) {
@@ -148,13 +151,17 @@ constexpr const char* lines_apart =
 struct ColourBar {
     std::string commands;
     int more_letters = 0;
+    std::vector<double> levels;  // of the lines; empty: chosen
 
-    explicit ColourBar(const ContourMap& map) {
+    explicit ColourBar(const ContourMap& map) : levels(map.levels) {
         int beside_two = 0;  // letters, for which gnuplot's own distance has room
         double low = INFINITY, high = -INFINITY;
         for (const double value : map.values)
             if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+        if (map.about_zero) high = std::max(-low, high), low = -high;
         if (low < high) {
+            if (map.about_zero && map.levels.empty())  // not at 0, where rounding draws lines
+                levels = {.75 * low, .25 * low, .25 * high, .75 * high};
             commands = fmt::format("set cbrange [{:.6g}:{:.6g}]\n", low, high);
             const int letters = longest_tic(low, high, (high - low) / 8);
             more_letters = std::max(0, letters - 3);
@@ -191,24 +198,24 @@ Picture map_picture(Figure figure, const PictureLayout& layout) {
     const int width = left + frame + right, height = head + key + map_height + foot;
     const auto share = [](int pixels, int all) { return static_cast<double>(pixels) / all; };
     const std::string levels =
-        map.levels.empty() ? "auto 8" : fmt::format("discrete {:.6g}", fmt::join(map.levels, ", "));
-    return {
-        width, height,
-        ground.data + parts.data + plot_style() + axes(figure, frame) + bar.commands +
-            (has_values ? fmt::format("set contour base\nset cntrparam levels {}\nunset "
-                                      "surface\nset table $lines\nsplot $map using 1:2:3\n"
-                                      "unset table\nset surface\nunset contour\n{}",
-                                      levels, lines_apart)
-                        : "") +
-            fmt::format("set border 15\nunset grid\n{}{}"
-                        "set lmargin at screen {:.4g}\nset rmargin at screen {:.4g}\n"
-                        "set tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n"
-                        "set key at screen {:.4g},{:.4g} top center maxcols 1 "
-                        "samplen 1.6\n",
-                        ground.settings, palette, share(left, width), share(left + frame, width),
-                        share(foot + map_height, height), share(foot, height),
-                        share(left + frame / 2, width), share(height - head / 2, height)) +
-            parts.plot(ground.is_image ? "plot" : "splot")};
+        bar.levels.empty() ? "auto 8" : fmt::format("discrete {:.6g}", fmt::join(bar.levels, ", "));
+    return {width, height,
+            ground.data + parts.data + plot_style() + axes(figure, frame) + bar.commands +
+                (has_values ? fmt::format("set contour base\nset cntrparam levels {}\nunset "
+                                          "surface\nset table $lines\nsplot $map using 1:2:3\n"
+                                          "unset table\nset surface\nunset contour\n{}",
+                                          levels, lines_apart)
+                            : "") +
+                fmt::format("set border 15\nunset grid\n{}{}"
+                            "set lmargin at screen {:.4g}\nset rmargin at screen {:.4g}\n"
+                            "set tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n"
+                            "set key at screen {:.4g},{:.4g} top center maxcols 1 "
+                            "samplen 1.6\n",
+                            ground.settings, map.about_zero ? palette_about_zero : palette,
+                            share(left, width), share(left + frame, width),
+                            share(foot + map_height, height), share(foot, height),
+                            share(left + frame / 2, width), share(height - head / 2, height)) +
+                parts.plot(ground.is_image ? "plot" : "splot")};
 }
 
 /// Runs of a kind along the rows, as boxes (x, y, x_low, x_high, y_low, y_high): far fewer than

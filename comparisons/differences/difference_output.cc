@@ -87,7 +87,7 @@ report::Figure figure_of(const SurfaceDifference& d, const DrawnField& drawn,
     }
     figure.y = {fmt::format("y [{}]", length.symbol)};
     figure.equal_scales = true;
-    report::ContourMap map{.label = label, .x = {}, .y = {}, .values = {}};
+    report::ContourMap map{.label = label, .x = {}, .y = {}, .values = {}, .about_zero = true};
     for (const int i : columns) map.x.push_back(s.x(i) / length.factor);
     for (const int j :
          drawn_points(s.n_y, s.first[1], s.spacing[1], s.offset[1], reach, most_points_drawn)) {

@@ -179,6 +179,23 @@ TEST(DrawnFigures, TheColourBarIsThatOfTheValues) {
     EXPECT_EQ(count(svg, ">1.4<"), 1u);
 }
 
+// Differences: as much room for either sign, and no line where they vanish but for rounding.
+TEST(DrawnFigures, AMapAboutZeroIsEvenInBothSigns) {
+    const Figure figure{.id = "map",
+                        .x = {"x/a"},
+                        .y = {"y/a"},
+                        .map = ContourMap{.label = "difference [%]",
+                                          .x = {0, 1, 2},
+                                          .y = {0, 1},
+                                          .values = {1e-15, -2, 8, -1e-15, 4, nan},
+                                          .about_zero = true}};
+    EXPECT_EQ(page_of(figure)["map"]["about_zero"], true);
+    const std::string script = picture_of(figure).script;
+    EXPECT_NE(script.find("set cbrange [-8:8]"), std::string::npos);
+    EXPECT_NE(script.find("levels discrete -6, -2, 2, 6"), std::string::npos);
+    EXPECT_EQ(script.find("auto 8"), std::string::npos);
+}
+
 // Stick and slip: the same colours, as many stretches and cells.
 TEST(DrawnFigures, ZonesHaveTheirColours) {
     const Figure figure{.id = "zones",
