@@ -89,6 +89,8 @@ std::string strip_panel(const Figure& figure) {
     return text + "plot NaN notitle\n";
 }
 
+constexpr const char* nothing = "NaN notitle";  // draws the axes alone
+
 Picture curves_picture(const Figure& figure, const PictureLayout& layout) {
     const FigureStyles styles = styles_of(figure);
     const Key key(figure, styles.named, layout.width);
@@ -96,7 +98,7 @@ Picture curves_picture(const Figure& figure, const PictureLayout& layout) {
         .in_grey = layout.in_grey, .log_x = figure.x.logarithmic, .log_y = figure.y.logarithmic};
     add_bands(figure, styles, parts);
     add_curves(figure.curves, styles, false, true, parts);
-    if (parts.plots.empty()) parts.plots.emplace_back("NaN notitle");
+    if (parts.plots.empty()) parts.plots.emplace_back(nothing);
     const std::string head =
         parts.data + plot_style() + axes(figure, layout.width - 110) + key.commands();
     if (figure.strips.empty()) {
@@ -191,6 +193,8 @@ Picture map_picture(Figure figure, const PictureLayout& layout) {
                               " with lines linewidth 0.7 linecolor rgb '#1a1a1a' notitle");
     }
     add_curves(figure.curves, styles, true, true, parts);
+    const bool is_empty = parts.plots.empty();
+    if (is_empty) parts.plots.emplace_back(nothing);
     const auto length = [](const FigureAxis& axis) { return std::abs(*axis.high - *axis.low); };
     const double ratio = figure.equal_scales ? length(figure.y) / length(figure.x) : 0.75;
     const int key = key_line * static_cast<int>(std::ranges::count(styles.named, true));
@@ -215,7 +219,7 @@ Picture map_picture(Figure figure, const PictureLayout& layout) {
                             share(left, width), share(left + frame, width),
                             share(foot + map_height, height), share(foot, height),
                             share(left + frame / 2, width), share(height - head / 2, height)) +
-                parts.plot(ground.is_image ? "plot" : "splot")};
+                parts.plot(ground.is_image || is_empty ? "plot" : "splot")};
 }
 
 /// Runs of a kind along the rows, as boxes (x, y, x_low, x_high, y_low, y_high): far fewer than

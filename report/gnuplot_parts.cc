@@ -42,6 +42,14 @@ double tic_step(double low, double high, int width) {
     return step;
 }
 
+/// With ends, where nothing is drawn that gnuplot could take them from.
+FigureAxis ended(FigureAxis axis) {
+    if (!axis.low && !axis.high) axis.low = axis.logarithmic ? 1 : 0;
+    if (!axis.low) axis.low = axis.logarithmic ? *axis.high / 10 : *axis.high - 1;
+    if (!axis.high) axis.high = axis.logarithmic ? *axis.low * 10 : *axis.low + 1;
+    return axis;
+}
+
 /// Commands of one axis, 'x' or 'y'.
 std::string axis_commands(char name, const FigureAxis& axis, Extent extent) {
     std::string text = fmt::format("set {0}label {1}\nset {0}range [{2}:{3}]\n", name,
@@ -54,6 +62,13 @@ std::string axis_commands(char name, const FigureAxis& axis, Extent extent) {
     const bool decades = axis.high.value_or(extent.high) >= 30 * axis.low.value_or(extent.low);
     return text + fmt::format("set logscale {0}\nset m{0}tics 10\nset format {0} '{1}'\n", name,
                               decades ? "10^{%T}" : "%g");
+}
+
+/// gnuplot refuses to draw what has none.
+bool has_points(const Curve& curve) {
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+        if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i])) return true;
+    return false;
 }
 
 /// A line whose values at some places are drawn as points of the same name.
@@ -199,7 +214,9 @@ std::string axes(const Figure& figure, int width) {
     for (const Band& band : figure.bands)
         x.include(band.x), y.include(band.low), y.include(band.high);
     if (figure.map) x.include(figure.map->x), y.include(figure.map->y);
-    std::string text = axis_commands('x', figure.x, x) + axis_commands('y', figure.y, y);
+    const bool is_empty = x.low > x.high;
+    std::string text = axis_commands('x', is_empty ? ended(figure.x) : figure.x, x) +
+                       axis_commands('y', is_empty ? ended(figure.y) : figure.y, y);
     const double low = std::min(figure.x.low.value_or(x.low), figure.x.high.value_or(x.high)),
                  high = std::max(figure.x.low.value_or(x.low), figure.x.high.value_or(x.high));
     if (!figure.x.logarithmic && figure.x.names.empty() && std::isfinite(low) &&
@@ -232,7 +249,7 @@ void add_curves(const std::vector<Curve>& curves, const FigureStyles& styles, bo
     constexpr const char* kinds[] = {"lines", "points", "linespoints"};
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const Curve& curve = curves[i];
-        if (curve.x.empty()) continue;
+        if (!has_points(curve)) continue;
         const std::string colour = colour_of(styles.curves[i]);
         const bool at_some_places = parts.in_grey && !flat && styles.curves[i] &&
                                     curve.kind == Curve::Kind::line && !has_markers(curves, curve);

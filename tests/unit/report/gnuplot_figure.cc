@@ -199,6 +199,22 @@ TEST(GnuplotFigure, OneThreadDrawsWhatMoreWouldDraw) {
     }
 }
 
+// Found: no machine of a sweep walked, and "x range is invalid" ended the command.
+TEST(GnuplotFigure, FiguresWithoutAPointAreDrawn) {
+    Figure figure = curves();
+    figure.x = {.label = "x"};
+    figure.bands.clear();
+    figure.strips.clear();
+    figure.curves = {{.name = "none", .x = {NAN, 2}, .y = {1, NAN}, .kind = Curve::Kind::points}};
+    EXPECT_TRUE(contains(draw_all({figure}).front().svg, "</svg>"));
+    figure.x.logarithmic = true;
+    EXPECT_TRUE(contains(draw_all({figure}).front().svg, "</svg>"));
+    Figure empty = map();
+    empty.curves = figure.curves;
+    empty.map->values.assign(6, NAN);
+    EXPECT_TRUE(contains(draw_all({empty}).front().svg, "</svg>"));
+}
+
 TEST(GnuplotFigure, ErrorsOfGnuplotReachTheCaller) {
     Figure broken = curves();
     broken.x.low = NAN;
