@@ -77,8 +77,8 @@ function map_traces(map, theme) {
     const label = {size: 11, color: "#000000"};
     const traces = [{
         ...grid, colorscale: map.about_zero ? charts.ground_about_zero : charts.ground, zmin: low, zmax: high, line: {width: 0},
-        contours: {coloring: "fill", size: step, end: high,
-                   start: Math.ceil(low / step) * step},
+        contours: map.about_zero ? {coloring: "heatmap"}
+            : {coloring: "fill", size: step, end: high, start: Math.ceil(low / step) * step},
         colorbar: {title: {text: map.label, side: "right"}, thickness: 14, outlinewidth: 0,
                    tickfont: {color: theme.text}},
         hovertemplate: "%{x:.4g}, %{y:.4g}: %{z:.4g}<extra></extra>",
