@@ -242,13 +242,9 @@ std::unique_ptr<const Interior> SurfaceModel::interior() {
     auto inside = substrate_->interior(solver_->tractions());
     if (inside && bulk_.stress[0] != 0) inside = with_bulk(*inside, bulk_);
     if (!inside || !inside->base_reaction) return inside;
-    double missing = 0, applied = 0;
-    for (int d = 0; d < 3; ++d) {
-        missing = std::hypot(missing, inside->applied[d] + (*inside->base_reaction)[d]);
-        applied = std::hypot(applied, inside->applied[d]);
-    }
+    double applied = inside->applied_force();
     if (attracted_) applied += 2 * now().normal->pull;  // what presses and pulls may cancel
-    audit_.record("interior_equilibrium", missing / applied,
+    audit_.record("interior_equilibrium", inside->missing_force() / applied,
                   substrate_->compliance().allowed_missing_reaction());
     return inside;
 }

@@ -13,16 +13,6 @@ namespace {
 /// Of a solution without a factor: below the 1e-8 that an audit of the inside allows.
 constexpr double most_unbalanced = 4e-9;
 
-/// Of the forces, what nothing holds.
-double unbalanced(const contact::Interior& inside) {
-    double missing = 0, applied = 0;
-    for (std::size_t d = 0; d < 3; ++d) {
-        missing = std::hypot(missing, inside.applied[d] + inside.base_reaction->at(d));
-        applied = std::hypot(applied, inside.applied[d]);
-    }
-    return missing / applied;
-}
-
 }  // namespace
 
 CondensedBody::CondensedBody(std::shared_ptr<const LayerProblem> problem,
@@ -91,7 +81,8 @@ contact::Interior CondensedBody::interior(const contact::ContactPoints& points,
     }
     contact::Interior inside = discretisation.interior(whole_->displacement(force), force);
     // Each state for itself: fields do not depend on which were asked for before.
-    if (whole_->is_without_factor() && unbalanced(inside) > most_unbalanced)
+    if (whole_->is_without_factor() &&
+        inside.missing_force() > most_unbalanced * inside.applied_force())
         return discretisation.interior(whole_->by_factor(force), force);
     return inside;
 }

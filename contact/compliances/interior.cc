@@ -71,6 +71,15 @@ void add_section(const Interior& interior, const Vector2& offset, Subsurface& ou
 
 }  // namespace
 
+double Interior::missing_force() const {
+    const auto& base = *base_reaction;
+    return std::hypot(applied[0] + base[0], applied[1] + base[1], applied[2] + base[2]);
+}
+
+double Interior::applied_force() const {
+    return std::hypot(applied[0], applied[1], applied[2]);
+}
+
 std::array<double, 3> Interior::position(std::size_t i) const {
     if (!is_grid()) return points[i];
     const std::size_t n_x = axes[0].size(), n_y = axes[1].size();

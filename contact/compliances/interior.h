@@ -32,6 +32,9 @@ struct Interior {
     /// Force of the ground (and held sides) [N], where it was computed.
     std::optional<std::array<double, 3>> base_reaction;
 
+    double missing_force() const;  ///< |applied + base_reaction| [N]; the latter is there
+    double applied_force() const;  ///< |applied| [N]
+
     bool is_grid() const { return !axes[0].empty(); }
     std::size_t size() const { return stress.size(); }
     std::array<double, 3> position(std::size_t i) const;

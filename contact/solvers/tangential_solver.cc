@@ -38,32 +38,26 @@ std::size_t size_of_dense(std::size_t n) {
     return 4 * n * n * (sizeof(double) + 2 * sizeof(float));
 }
 
+}  // namespace
+
 /// Dense operators, the last one used in front: a contact that rolls to and fro comes back to the
 /// same points, and what was gathered and factorised for them.
-class KeptOperators final : public ActiveOperator {
+class TangentialSolver::KeptOperators {
   public:
     explicit KeptOperators(const Compliance& compliance) : compliance_(compliance) {}
 
     /// One of at most most_kept.
-    const ActiveOperator& among(const std::vector<std::size_t>& active) const {
+    const ActiveOperator& among(const std::vector<std::size_t>& active) {
         const auto at = std::ranges::find(kept_, active, &Kept::active);
         if (at != kept_.end()) {
             kept_.splice(kept_.begin(), kept_, at);
-            return present();
+            return *kept_.front().products;
         }
-        const std::size_t size = size_of_dense(active.size());
-        make_room(size);
+        make_room(size_of_dense(active.size()));
         Kept& own = kept_.front();
         own.products = make_active_operator(compliance_, active, &own.memory);
         own.active = active;
-        return present();
-    }
-
-    void apply(const TangentialField& t, TangentialField& u) const override {
-        present().apply(t, u);
-    }
-    void precondition(const TangentialField& r, TangentialField& z) const override {
-        present().precondition(r, z);
+        return *own.products;
     }
 
   private:
@@ -74,10 +68,8 @@ class KeptOperators final : public ActiveOperator {
         std::unique_ptr<const ActiveOperator> products = {};
     };
 
-    const ActiveOperator& present() const { return *kept_.front().products; }
-
     /// In front: new memory, or what has not been used for longest where there is no more.
-    void make_room(std::size_t size) const {
+    void make_room(std::size_t size) {
         if (kept_.empty() || size_ + size <= most_kept) {
             kept_.emplace_front();
         } else {
@@ -92,11 +84,9 @@ class KeptOperators final : public ActiveOperator {
     }
 
     const Compliance& compliance_;
-    mutable std::list<Kept> kept_;
-    mutable std::size_t size_ = 0;  // of all [bytes]
+    std::list<Kept> kept_;
+    std::size_t size_ = 0;  // of all [bytes]
 };
-
-}  // namespace
 
 /// On from where the last ones ended, for Newton's steps since then led nowhere: gradients
 /// alone descend without end.
@@ -117,6 +107,7 @@ void TangentialNewton::take_gradient_steps() {
 
 TangentialSolver::TangentialSolver(const Compliance& compliance, double tolerance)
     : compliance_(compliance), tolerance_(tolerance) {}
+TangentialSolver::~TangentialSolver() = default;
 
 void TangentialSolver::solve(const TangentialProblem& problem, TangentialSolution& solution) {
     const Blocks points(problem.bound.size(), compliance_.n_threads());
@@ -129,14 +120,8 @@ void TangentialSolver::solve(const TangentialProblem& problem, TangentialSolutio
 
 const ActiveOperator& TangentialSolver::products_among(const std::vector<std::size_t>& active) {
     if (compliance_.dense() && size_of_dense(active.size()) <= most_kept) {
-        const auto* kept = dynamic_cast<const KeptOperators*>(products_.get());
-        if (!kept) {
-            auto made = std::make_unique<const KeptOperators>(compliance_);
-            kept = made.get();
-            products_ = std::move(made);
-            active_.clear();
-        }
-        return kept->among(active);
+        if (!kept_) kept_ = std::make_unique<KeptOperators>(compliance_);
+        return kept_->among(active);
     }
     if (!products_ || active != active_) {
         products_.reset();

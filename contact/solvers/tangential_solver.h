@@ -95,6 +95,7 @@ struct TangentialSolution {
 class TangentialSolver {
   public:
     TangentialSolver(const Compliance& compliance, double tolerance);
+    ~TangentialSolver();
     void set_tolerance(double tolerance) { tolerance_ = tolerance; }
 
     /// Updates `solution`, whose traction is the start (may be zero; clipped to the bound), and its
@@ -105,11 +106,14 @@ class TangentialSolver {
     void solve(const TangentialProblem& problem, TangentialSolution& solution);
 
   private:
+    class KeptOperators;
+
     const ActiveOperator& products_among(const std::vector<std::size_t>& active);
 
     const Compliance& compliance_;
     double tolerance_;
-    // Of the last problem: a contact that has not changed keeps its factor.
+    std::unique_ptr<KeptOperators> kept_;  // of dense compliances
+    // Of the last problem else: a contact that has not changed keeps its factor.
     std::vector<std::size_t> active_;
     OperatorMemory memory_;
     std::unique_ptr<const ActiveOperator> products_;
