@@ -6,6 +6,7 @@
 
 #include "report/format.h"
 #include "report/json_number.h"
+#include "report/page_templates.h"
 #include "report/plot_style.h"
 
 namespace tricontact::report {
@@ -118,6 +119,11 @@ std::string chart_label(const std::string& text) {
 
 json figure_json(const Figure& figure) {
     return figure;
+}
+
+std::string charts_script() {
+    const json colours{{"ground", map_colours}, {"about_zero", signed_map_colours}};
+    return "\"use strict\";\nconst map_colours = " + colours.dump() + ";\n" + charts_template;
 }
 
 std::string script_json(const json& content) {

@@ -15,6 +15,9 @@ std::string chart_label(const std::string& text);
 /// FigureStyles), null for grey.
 nlohmann::ordered_json figure_json(const Figure& figure);
 
+/// charts.js and, in front, the colours of maps (plot_style.h), for the scripts that come after it.
+std::string charts_script();
+
 /// JSON as it may stand inside an HTML script element, which an angle bracket could end. Bytes that
 /// are no UTF-8 are replaced.
 std::string script_json(const nlohmann::ordered_json& content);

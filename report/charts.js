@@ -3,10 +3,8 @@
 
 const charts = (() => {
 const even = colours => colours.map((colour, i) => [i / (colours.length - 1), colour]);
-// Viridis (Smith, van der Walt) without its dark end, so that black lines and numbers stand out.
-const ground = even(["#2a788e", "#21918c", "#22a884", "#44bf70", "#7ad151", "#bddf26", "#fde725"]);
-// Two hues for values of both signs, those of the player's differences.
-const ground_about_zero = even(["#0072b2", "#a0c8e1", "#f7f7f7", "#f0b482", "#d55e00"]);
+// Of plot_style.h; see charts_script().
+const ground = even(map_colours.ground), ground_about_zero = even(map_colours.about_zero);
 
 const paper = {text: "#000000", soft: "#333333", line: "#d0d0d0", panel: "#ffffff"};
 function screen() {

@@ -184,7 +184,7 @@ void set_scripts(const Document& document, data& page) {
     page.set("has_figures", !figures.empty());
     page.set("figure_data", list);
     page.set("library", std::string(figures.empty() ? "" : chart_library()));
-    page.set("script", std::string(charts_script) + figures_script + document_script);
+    page.set("script", charts_script() + figures_script + document_script);
 }
 
 void set_player(const std::optional<Player>& player, data& page) {

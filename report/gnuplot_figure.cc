@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <kainjow/mustache.hpp>
 
@@ -32,6 +33,7 @@ std::string colour_of_strip(const Figure& figure, std::size_t row) {
 void add_bands(const Figure& figure, const FigureStyles& styles, Parts& parts) {
     for (std::size_t i = 0; i < figure.bands.size(); ++i) {
         const Band& band = figure.bands[i];
+        if (!has_points(band.x, band.low) || !has_points(band.x, band.high)) continue;
         const bool alone = std::ranges::none_of(
             figure.curves, [&](const Curve& curve) { return curve.name == band.name; });
         parts.plots.push_back(fmt::format(
@@ -125,14 +127,13 @@ Picture curves_picture(const Figure& figure, const PictureLayout& layout) {
                 strip_panel(figure) + "unset multiplot\n"};
 }
 
-// Viridis (van der Walt and Smith 2015): even in lightness, safe without colour vision. Without its
-// dark end, so that black lines stand out.
-constexpr const char* palette =
-    "set palette defined (0 '#2a788e', 1 '#21918c', 2 '#22a884', 3 '#44bf70', 4 '#7ad151', "
-    "5 '#bddf26', 6 '#fde725')\n";
-// Two hues (Okabe and Ito), those of the player's differences.
-constexpr const char* palette_about_zero =
-    "set palette defined (0 '#0072b2', 1 '#a0c8e1', 2 '#f7f7f7', 3 '#f0b482', 4 '#d55e00')\n";
+template <std::size_t n>
+std::string palette(const std::array<const char*, n>& colours) {
+    std::string places;
+    for (std::size_t i = 0; i < n; ++i)
+        places += fmt::format("{}{} '{}'", i > 0 ? ", " : "", i, colours[i]);
+    return fmt::format("set palette defined ({})\n", places);
+}
 
 /// The ends of an axis of a map, which its values reach where nothing else is said.
 FigureAxis filled(FigureAxis axis, const std::vector<double>& values) {
@@ -215,7 +216,8 @@ Picture map_picture(Figure figure, const PictureLayout& layout) {
                             "set tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n"
                             "set key at screen {:.4g},{:.4g} top center maxcols 1 "
                             "samplen 1.6\n",
-                            ground.settings, map.about_zero ? palette_about_zero : palette,
+                            ground.settings,
+                            map.about_zero ? palette(signed_map_colours) : palette(map_colours),
                             share(left, width), share(left + frame, width),
                             share(foot + map_height, height), share(foot, height),
                             share(left + frame / 2, width), share(height - head / 2, height)) +

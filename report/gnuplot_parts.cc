@@ -16,9 +16,11 @@ namespace {
 struct Extent {
     double low = INFINITY, high = -INFINITY;
 
+    void include(double value) {
+        if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+    }
     void include(const std::vector<double>& values) {
-        for (const double value : values)
-            if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+        for (const double value : values) include(value);
     }
 };
 
@@ -62,13 +64,6 @@ std::string axis_commands(char name, const FigureAxis& axis, Extent extent) {
     const bool decades = axis.high.value_or(extent.high) >= 30 * axis.low.value_or(extent.low);
     return text + fmt::format("set logscale {0}\nset m{0}tics 10\nset format {0} '{1}'\n", name,
                               decades ? "10^{%T}" : "%g");
-}
-
-/// gnuplot refuses to draw what has none.
-bool has_points(const Curve& curve) {
-    for (std::size_t i = 0; i < curve.x.size(); ++i)
-        if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i])) return true;
-    return false;
 }
 
 /// A line whose values at some places are drawn as points of the same name.
@@ -205,18 +200,18 @@ int longest_tic(double low, double high, double step) {
 
 std::string axes(const Figure& figure, int width) {
     Extent x, y;
-    for (const Curve& curve : figure.curves) {
-        y.include(curve.y);
-        for (std::size_t i = 0; i < curve.x.size();
-             ++i)  // gnuplot's ends are those of what it draws
-            if (std::isfinite(curve.y[i])) x.include({curve.x[i]});
-    }
-    for (const Band& band : figure.bands)
-        x.include(band.x), y.include(band.low), y.include(band.high);
+    // gnuplot's ends are those of what it draws.
+    const auto include = [&](const std::vector<double>& x_values,
+                             const std::vector<double>& y_values) {
+        for (std::size_t i = 0; i < x_values.size(); ++i)
+            if (std::isfinite(x_values[i]) && std::isfinite(y_values[i]))
+                x.include(x_values[i]), y.include(y_values[i]);
+    };
+    for (const Curve& curve : figure.curves) include(curve.x, curve.y);
+    for (const Band& band : figure.bands) include(band.x, band.low), include(band.x, band.high);
     if (figure.map) x.include(figure.map->x), y.include(figure.map->y);
-    const bool is_empty = x.low > x.high;
-    std::string text = axis_commands('x', is_empty ? ended(figure.x) : figure.x, x) +
-                       axis_commands('y', is_empty ? ended(figure.y) : figure.y, y);
+    std::string text = axis_commands('x', x.low > x.high ? ended(figure.x) : figure.x, x) +
+                       axis_commands('y', y.low > y.high ? ended(figure.y) : figure.y, y);
     const double low = std::min(figure.x.low.value_or(x.low), figure.x.high.value_or(x.high)),
                  high = std::max(figure.x.low.value_or(x.low), figure.x.high.value_or(x.high));
     if (!figure.x.logarithmic && figure.x.names.empty() && std::isfinite(low) &&
@@ -243,13 +238,19 @@ MapGround::MapGround(const ContourMap& map, const FigureAxis& x, const FigureAxi
                            along_x.range(x), along_y.range(y));
 }
 
+bool has_points(const std::vector<double>& x, const std::vector<double>& y) {
+    for (std::size_t i = 0; i < x.size(); ++i)
+        if (std::isfinite(x[i]) && std::isfinite(y[i])) return true;
+    return false;
+}
+
 void add_curves(const std::vector<Curve>& curves, const FigureStyles& styles, bool flat,
                 bool with_key, Parts& parts) {
     constexpr std::size_t places_of_markers = 7;
     constexpr const char* kinds[] = {"lines", "points", "linespoints"};
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const Curve& curve = curves[i];
-        if (!has_points(curve)) continue;
+        if (!has_points(curve.x, curve.y)) continue;
         const std::string colour = colour_of(styles.curves[i]);
         const bool at_some_places = parts.in_grey && !flat && styles.curves[i] &&
                                     curve.kind == Curve::Kind::line && !has_markers(curves, curve);

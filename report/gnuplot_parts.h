@@ -46,6 +46,9 @@ struct Parts {
     int n_blocks = 0;
 };
 
+/// gnuplot refuses to draw what has none.
+bool has_points(const std::vector<double>& x, const std::vector<double>& y);
+
 /// What draws a map: an image, or rectangles over logarithmic axes.
 struct MapGround {
     /// Over the axes, whose ends are known.

@@ -9,8 +9,8 @@ namespace tricontact::report {
 /// What every page shares: colours by day, night and on paper, letters, tables, figures.
 extern const char* const page_style;
 
-/// What the scripts that draw share; stands before them.
-extern const char* const charts_script;
+/// What the scripts that draw share, without its colours: charts_script() is for pages.
+extern const char* const charts_template;
 
 /// A map with a marker on it, and the charts beside it.
 extern const char* const marked_map_style;

@@ -15,11 +15,12 @@ async function unpacked(text) {
 const bytes_of = async text => new Uint8Array(await unpacked(text));
 const words_of = async text => new Uint16Array(await unpacked(text));
 
-// Light to dark for magnitudes (viridis turned round), two hues about zero (Okabe and Ito), and the
+// Light to dark for magnitudes (viridis turned round), two hues about zero (plot_style.h), and the
 // three states: safe for colour-blind readers, and told apart by their lightness too.
+const components = colour => [1, 3, 5].map(at => parseInt(colour.slice(at, at + 2), 16));
 const ramps = {
     magnitude: [[253, 231, 37], [94, 201, 98], [33, 145, 140], [59, 82, 139], [68, 1, 84]],
-    sign: [[0, 114, 178], [160, 200, 225], [247, 247, 247], [240, 180, 130], [213, 94, 0]],
+    sign: map_colours.about_zero.map(components),
 };
 function ramp(colours, share) {
     const place = Math.min(Math.max(share, 0), 1) * (colours.length - 1);
@@ -29,7 +30,7 @@ function ramp(colours, share) {
 const table = (colours, n = 256) => Array.from({length: n}, (_, i) => ramp(colours, i / (n - 1)));
 const magnitudes = table(ramps.magnitude), signs = table(ramps.sign);
 const states = [null, ...document.getElementById("content").dataset.states.split(" ")  // open, stick, slip
-    .map(colour => [1, 3, 5].map(at => parseInt(colour.slice(at, at + 2), 16)))];
+    .map(components)];
 
 function element(name, properties = {}, children = []) {
     const made = Object.assign(document.createElement(name), properties);

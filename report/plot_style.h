@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,14 @@ int model_marker(std::size_t i);
 inline const std::string theory_colour = "#555555", measured_colour = "#222222";
 /// What sticks and what slips, in every figure, player and film: apart by lightness, too.
 inline const std::string stick_colour = "#465678", slip_colour = "#d5963c";
+
+/// Of maps: viridis (van der Walt and Smith 2015), even in lightness, safe without colour vision.
+/// Without its dark end, so that black lines and numbers stand out.
+inline constexpr std::array map_colours{"#2a788e", "#21918c", "#22a884", "#44bf70",
+                                        "#7ad151", "#bddf26", "#fde725"};
+/// Of maps about zero: two hues (Okabe and Ito) that meet in white.
+inline constexpr std::array signed_map_colours{"#0072b2", "#a0c8e1", "#f7f7f7", "#f0b482",
+                                               "#d55e00"};
 
 /// Commands every plot begins with: frame, grid, tics, fonts.
 std::string plot_style();

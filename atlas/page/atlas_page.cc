@@ -167,9 +167,8 @@ std::string atlas_page(const AtlasPage& page) {
     data.set("has_command", !page.command.empty());
     data.set("atlas", report::script_json(atlas_page_json(page)));
     data.set("library", std::string(report::chart_library()));
-    data.set("script", std::string(report::charts_script) + report::marked_map_script +
-                           atlas_theory_script + atlas_maps_script + atlas_charts_script +
-                           atlas_page_script);
+    data.set("script", report::charts_script() + report::marked_map_script + atlas_theory_script +
+                           atlas_maps_script + atlas_charts_script + atlas_page_script);
     kainjow::mustache::mustache engine{atlas_page_template};
     if (!engine.is_valid())
         throw std::logic_error("atlas_page.html.mustache: " + engine.error_message());

@@ -262,8 +262,7 @@ std::string map_page(const WalkMap& map) {
     page.set("has_origin", !map.files.empty() || !map.command.empty());
     page.set("map", report::script_json(map_json(map)));
     page.set("library", std::string(report::chart_library()));
-    page.set("script",
-             std::string(report::charts_script) + report::marked_map_script + map_page_script);
+    page.set("script", report::charts_script() + report::marked_map_script + map_page_script);
     kainjow::mustache::mustache engine{map_page_template};
     if (!engine.is_valid())
         throw std::logic_error("map_page.html.mustache: " + engine.error_message());

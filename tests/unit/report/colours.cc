@@ -183,5 +183,16 @@ TEST(Colours, StickAndSlipDifferToColourBlindReaders) {
     EXPECT_EQ(std::string_view(player_script).find("213, 150, 60"), std::string_view::npos);
 }
 
+// Zero is the lightest, and the ends are the darkest.
+TEST(Colours, SidesOfZeroDifferToColourBlindReaders) {
+    const std::vector<std::string> sides(signed_map_colours.begin(), signed_map_colours.end());
+    EXPECT_GE(least_difference(sides), 10);
+    const auto lightness = [&](std::size_t i) { return lab_of(light_of(sides[i]))[0]; };
+    EXPECT_LT(lightness(0), lightness(1));
+    EXPECT_LT(lightness(1), lightness(2));
+    EXPECT_GT(lightness(2), lightness(3));
+    EXPECT_GT(lightness(3), lightness(4));
+}
+
 }  // namespace
 }  // namespace tricontact::report::colours_test

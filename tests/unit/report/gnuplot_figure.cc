@@ -209,6 +209,11 @@ TEST(GnuplotFigure, FiguresWithoutAPointAreDrawn) {
     EXPECT_TRUE(contains(draw_all({figure}).front().svg, "</svg>"));
     figure.x.logarithmic = true;
     EXPECT_TRUE(contains(draw_all({figure}).front().svg, "</svg>"));
+    figure.x = {.label = "x", .low = 0, .high = 2};
+    figure.y = {"y"};
+    figure.curves.front() = {.name = "none", .x = {0, 2}, .y = {NAN, NAN}};
+    figure.bands = {{.name = "of none", .x = {0, 2}, .low = {NAN, NAN}, .high = {NAN, NAN}}};
+    EXPECT_TRUE(contains(draw_all({figure}).front().svg, "</svg>"));
     Figure empty = map();
     empty.curves = figure.curves;
     empty.map->values.assign(6, NAN);
