@@ -10,11 +10,12 @@
 #include "benchmarks/comparison/comparison.h"
 #include "benchmarks/submissions/read_field.h"
 #include "io/case/case_reader.h"
+#include "tests/paths.h"
 
 // Results of other codes, and the references of their cases, each computed once.
 namespace tricontact::benchmarks::foreign {
 
-inline const std::string folder = std::string(TRICONTACT_SOURCE_DIR) + "/tests/benchmarks/foreign/";
+inline const std::string folder = paths::source("tests/benchmarks/foreign/");
 
 inline Reference reference_of(const std::string& file,
                               const std::vector<std::string>& overrides = {}) {

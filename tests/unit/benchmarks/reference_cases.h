@@ -9,15 +9,14 @@
 #include "benchmarks/reference/reference.h"
 #include "contact/base/error.h"
 #include "io/case/case_reader.h"
+#include "tests/paths.h"
 
 // Cases of references, and their references.
 namespace tricontact::benchmarks::reference_cases {
 
 inline contact::Case foreign_case(const std::string& name,
                                   const std::vector<std::string>& overrides = {}) {
-    return io::read_case(
-        std::string(TRICONTACT_SOURCE_DIR) + "/tests/benchmarks/foreign/" + name + ".toml",
-        overrides);
+    return io::read_case(paths::source("tests/benchmarks/foreign/") + name + ".toml", overrides);
 }
 
 /// Of boundary elements on the half-space.

@@ -7,6 +7,7 @@
 
 #include "app/models/make_model.h"
 #include "io/case/case_reader.h"
+#include "tests/paths.h"
 
 namespace tricontact::benchmarks::computed_reference_test {
 namespace {
@@ -15,9 +16,7 @@ using contact::Case;
 namespace keys = quantity_keys;
 
 Case foreign_case(const std::string& name, const std::vector<std::string>& overrides = {}) {
-    return io::read_case(
-        std::string(TRICONTACT_SOURCE_DIR) + "/tests/benchmarks/foreign/" + name + ".toml",
-        overrides);
+    return io::read_case(paths::source("tests/benchmarks/foreign/") + name + ".toml", overrides);
 }
 
 Reference of(const Case& c) {

@@ -9,6 +9,7 @@
 #include "contact/cells.h"
 #include "contact/run.h"
 #include "fem/settings.h"
+#include "tests/paths.h"
 #include "tests/verification/bodies_cases.h"
 #include "tests/verification/fem/rig.h"
 
@@ -34,7 +35,7 @@ TEST_P(FemBodies, AgreeWithBoundaryElements) {
     c.of<contact::Cells>().per_radius = 16;
     const auto half = contact::half_space_scales(c).half_widths;
     c.of<fem::Settings>().size = std::min(half[0], half[1]) / 4.5;
-    c.of<fem::Settings>().cache = TRICONTACT_LAYER_CACHE;
+    c.of<fem::Settings>().cache = paths::layer_cache();
     const History fem = contact::run(c, *make_layer_model(c));
     const History bem = contact::run(c, *bem::make_model(c, 1, bem::Body::layer));
     // Some five elements in the contact radius, whose edge cuts them.

@@ -15,6 +15,7 @@
 #include "fem/case/model.h"
 #include "fem/layer_cache.h"
 #include "io/case/case_reader.h"
+#include "tests/paths.h"
 
 namespace tricontact::fem_distributed_test {
 namespace {
@@ -147,8 +148,8 @@ class FemDistributed : public testing::Test {
 
     // Runs `launcher` program cache condense case.toml `arguments`.
     Result condense(const std::string& launcher, const std::string& arguments = "") const {
-        const std::string command = launcher + " " TRICONTACT_PROGRAM " cache condense " + folder_ +
-                                    "/case.toml " + arguments + " 2>&1";
+        const std::string command = launcher + " " + paths::program() + " cache condense " +
+                                    folder_ + "/case.toml " + arguments + " 2>&1";
         Result result{-1, ""};
         FILE* pipe = popen(command.c_str(), "r");
         if (!pipe) return result;

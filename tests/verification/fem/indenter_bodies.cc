@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fem/case/section_model.h"
+#include "tests/paths.h"
 #include "tests/verification/fem/rig.h"
 
 namespace tricontact::fem::indenter_bodies_test {
@@ -25,7 +26,7 @@ Case hemisphere_case(double nu, double d) {
     c.friction.coefficient = .5;
     c.load.indentation = d;
     c.load.tangential_force = 0;
-    c.of<fem::Settings>().cache = TRICONTACT_LAYER_CACHE;
+    c.of<fem::Settings>().cache = paths::layer_cache();
     return c;
 }
 

@@ -5,6 +5,7 @@
 #include "contact/run.h"
 #include "fem/case/model.h"
 #include "fem/settings.h"
+#include "tests/paths.h"
 #include "theory/layer/elastic_layer.h"
 
 namespace tricontact::fem {
@@ -19,7 +20,7 @@ inline contact::Case layer_case(double size, double nu = .5) {
     c.load.normal_force = 21.1;
     c.load.tangential_force = 0;
     c.of<fem::Settings>().size = size;
-    c.of<fem::Settings>().cache = TRICONTACT_LAYER_CACHE;  // tests share what one of them condensed
+    c.of<fem::Settings>().cache = paths::layer_cache();
     return c;
 }
 

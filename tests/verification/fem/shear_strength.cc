@@ -12,6 +12,7 @@
 #include "fem/case/model.h"
 #include "fem/settings.h"
 #include "mdr/layer_model.h"
+#include "tests/paths.h"
 
 namespace tricontact::fem::shear_strength_test {
 namespace {
@@ -33,7 +34,7 @@ contact::Case lens_case(double fineness) {
     c.rolling = contact::Case::Rolling{};
     c.rolling->amplitude_ratio = .4;
     c.of<fem::Settings>().size = radius / fineness;
-    c.of<fem::Settings>().cache = TRICONTACT_LAYER_CACHE;
+    c.of<fem::Settings>().cache = paths::layer_cache();
     return c;
 }
 

@@ -22,6 +22,7 @@
 #include "contact_program/import.h"
 #include "io/case/case_reader.h"
 #include "rolling/run.h"
+#include "tests/paths.h"
 #include "tests/unit/rolling/problems.h"
 #include "tests/verification/contact_program_prints.h"
 #include "theory/rolling/flash_temperature.h"
@@ -135,8 +136,7 @@ TEST(RollingContactProgram, RelaxingCylinders) {
 rolling::SteadyRolling imported(const std::string& example, std::size_t number_of_case,
                                 const std::map<int, std::string>& lines = {},
                                 SlipStart slip_start = SlipStart::slow) {
-    const std::string name =
-        std::string(TRICONTACT_SOURCE_DIR) + "/tests/contact_program/" + example + ".inp";
+    const std::string name = paths::source("tests/contact_program/") + example + ".inp";
     std::ifstream file(name);
     std::string text;
     int number = 0;

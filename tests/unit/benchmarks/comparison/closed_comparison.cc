@@ -14,6 +14,7 @@
 #include "benchmarks/submissions/read_field.h"
 #include "benchmarks/submissions/table_field.h"
 #include "contact/base/error.h"
+#include "tests/paths.h"
 
 namespace tricontact::benchmarks::closed_comparison_test {
 namespace {
@@ -230,11 +231,11 @@ Comparison foreign_result(const std::string& problem, const std::string& code,
                           double place = 1) {
     Submission s{.problem = problem};
     for (const char* n : meshes) {
-        MeshField& mesh = s.meshes.emplace_back(
-            read_field({.file = std::string(TRICONTACT_SOURCE_DIR) + "/tests/benchmarks/foreign/" +
-                                code + "_" + problem + "_" + n + ".csv",
-                        .set = "",
-                        .totals = ""}));
+        MeshField& mesh =
+            s.meshes.emplace_back(read_field({.file = paths::source("tests/benchmarks/foreign/") +
+                                                      code + "_" + problem + "_" + n + ".csv",
+                                              .set = "",
+                                              .totals = ""}));
         for (FieldColumn& column : mesh.columns)
             for (double& value : column.values)
                 value *= column.meaning == Meaning::pressure ? pressure : place;

@@ -14,11 +14,12 @@
 #include "benchmarks/submissions/fixed_columns.h"
 #include "benchmarks/submissions/read_field.h"
 #include "contact/base/error.h"
+#include "tests/paths.h"
 
 namespace tricontact::benchmarks::frd_file_test {
 namespace {
 
-const std::string folder = TRICONTACT_SOURCE_DIR "/tests/benchmarks/";
+const std::string folder = paths::source("tests/benchmarks/");
 
 MeshField field_of(const std::string& name) {
     return read_field({folder + name, "", ""});

@@ -6,11 +6,12 @@
 
 #include "benchmarks/submissions/read_field.h"
 #include "contact/base/error.h"
+#include "tests/paths.h"
 
 namespace tricontact::benchmarks::rpt_file_test {
 namespace {
 
-const std::string report = TRICONTACT_SOURCE_DIR "/tests/benchmarks/formats/abaqus.rpt";
+const std::string report = paths::source("tests/benchmarks/formats/abaqus.rpt");
 
 TEST(RptFile, ColumnsOfThePartInContactAreRead) {
     const MeshField field = read_field({report, "", report});

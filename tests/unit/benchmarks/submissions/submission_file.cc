@@ -9,11 +9,12 @@
 #include "benchmarks/submissions/read_field.h"
 #include "benchmarks/submissions/total_keys.h"
 #include "contact/base/error.h"
+#include "tests/paths.h"
 
 namespace tricontact::benchmarks::submission_file_test {
 namespace {
 
-const std::string foreign = TRICONTACT_SOURCE_DIR "/tests/benchmarks/foreign/";
+const std::string foreign = paths::source("tests/benchmarks/foreign/");
 
 Submission submission_of(const std::string& text) {
     return parse_submission(text, foreign + "a.toml");
@@ -147,7 +148,7 @@ TEST(SubmissionFile, PlainFilesAreSortedBySizeOrByTheirPoints) {
 }
 
 TEST(SubmissionFile, DocumentHasAllKeys) {
-    std::ifstream in(TRICONTACT_SOURCE_DIR "/docs/reference/benchmark-submission.md");
+    std::ifstream in(paths::source("docs/reference/benchmark-submission.md"));
     std::stringstream text;
     text << in.rdbuf();
     const std::string document = text.str();

@@ -12,13 +12,14 @@
 #include "benchmarks/submissions/mesh_stream.h"
 #include "benchmarks/submissions/read_field.h"
 #include "contact/base/error.h"
+#include "tests/paths.h"
 
 namespace tricontact::benchmarks::vtk_file_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::string folder = TRICONTACT_SOURCE_DIR "/tests/benchmarks/";
+const std::string folder = paths::source("tests/benchmarks/");
 
 MeshField field_of(const std::string& name, const std::string& set = "") {
     return read_field({folder + name, set, ""});

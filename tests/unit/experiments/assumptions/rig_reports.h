@@ -10,13 +10,14 @@
 #include "experiments/assumptions/check_rig.h"
 #include "experiments/assumptions/rig_quantities.h"
 #include "io/keys/input_file.h"
+#include "tests/paths.h"
 #include "walking/input/walk_keys.h"
 
 // What tests ask of the report of a file in examples/rigs/.
 namespace tricontact {
 
 inline experiments::Rig rig_file(const std::string& name) {
-    const std::string path = TRICONTACT_SOURCE_DIR "/examples/rigs/" + name + ".toml";
+    const std::string path = paths::source("examples/rigs/") + name + ".toml";
     if (!name.starts_with("micro")) return experiments::rolling_rig(io::read_rig_file(path));
     return experiments::walking_rig(io::parse_document(io::read_input_file(path), path),
                                     walking::walk_file_keys());

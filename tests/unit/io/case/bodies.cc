@@ -7,6 +7,7 @@
 #include "contact/base/error.h"
 #include "io/case/case_reader.h"
 #include "io/tables/body_tables.h"
+#include "tests/paths.h"
 #include "tests/unit/io/temporary_folder.h"
 
 namespace tricontact::io::bodies_test {
@@ -21,7 +22,7 @@ std::string text_of(const std::string& indenter) {
 }
 
 TEST(IoBodies, ComeBackFromAResolvedCase) {
-    const std::string table = TRICONTACT_SOURCE_DIR "/examples/cases/body_profile.csv";
+    const std::string table = paths::source("examples/cases/body_profile.csv");
     for (const std::string& indenter :
          {std::string("shape = \"cone\"\nangle = \"7 deg\""),
           std::string("shape = \"power-law\"\nradius = \"40 mm\"\nexponent = 3.5"),

@@ -7,6 +7,7 @@
 
 #include "io/case/case_keys.h"
 #include "io/case/case_reader.h"
+#include "tests/paths.h"
 #include "tests/unit/io/sphere_case.h"
 
 namespace tricontact::io::case_key_examples_test {
@@ -124,7 +125,7 @@ TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
                 overrides.emplace_back(R"(models=["bem"])");
             }
             EXPECT_NO_THROW(
-                read_case(TRICONTACT_SOURCE_DIR "/examples/cases/" + name + ".toml", overrides));
+                read_case(paths::source("examples/cases/") + name + ".toml", overrides));
             continue;
         }
         std::vector<std::string> overrides;

@@ -16,6 +16,7 @@
 #include "io/case/case_input.h"
 #include "io/results/output.h"
 #include "mdr/settings.h"
+#include "tests/paths.h"
 #include "tests/unit/io/sphere_case.h"
 #include "walking/input/walk_reader.h"
 
@@ -31,7 +32,7 @@ Case parsed(const std::vector<std::string>& overrides = {}, const std::string& m
 const std::string rolling = "[rolling]\namplitude_ratio = 0.24\namplitude_reference = \"model\"\n";
 
 TEST(CaseReader, ReadsTheRigOfTheThesisInSiUnits) {
-    const Case c = read_case(TRICONTACT_SOURCE_DIR "/examples/cases/rig_sphere_parallel.toml");
+    const Case c = read_case(paths::source("examples/cases/rig_sphere_parallel.toml"));
     EXPECT_EQ(c.title, "Sphere on rubber, load parallel to rolling (thesis table 5.1.1)");
     EXPECT_EQ(c.models, (std::vector<std::string>{"mdr", "bem"}));
     EXPECT_EQ(c.indenter.shape, Case::Shape::paraboloid);
@@ -62,8 +63,7 @@ TEST(CaseReader, ReadsTheRigOfTheThesisInSiUnits) {
 
 TEST(CaseReader, EveryCaseOfTheFolderIsAccepted) {
     int n = 0;
-    for (const auto& file :
-         std::filesystem::directory_iterator(TRICONTACT_SOURCE_DIR "/examples/cases")) {
+    for (const auto& file : std::filesystem::directory_iterator(paths::source("examples/cases"))) {
         if (file.path().extension() != ".toml") continue;
         ++n;
         EXPECT_NO_THROW(walking::read_any_case(file.path().string())) << file.path();
@@ -72,7 +72,7 @@ TEST(CaseReader, EveryCaseOfTheFolderIsAccepted) {
 }
 
 TEST(CaseReader, PerpendicularRigIsTable512) {
-    const Case c = read_case(TRICONTACT_SOURCE_DIR "/examples/cases/rig_sphere_perpendicular.toml");
+    const Case c = read_case(paths::source("examples/cases/rig_sphere_perpendicular.toml"));
     EXPECT_EQ(c.substrate.young, 4.35e6);
     EXPECT_EQ(c.friction_coefficient(), 0.93);
     EXPECT_EQ(c.load.normal_force, 21.19);

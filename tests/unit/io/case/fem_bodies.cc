@@ -7,6 +7,7 @@
 #include "comparisons/quantities/left_out.h"
 #include "contact/base/error.h"
 #include "io/case/case_reader.h"
+#include "tests/paths.h"
 
 namespace tricontact::io::fem_bodies_test {
 namespace {
@@ -128,7 +129,7 @@ TEST(FemBodies, AreNeitherFinitelyStrainedNorMeshedByAFile) {
 
 TEST(FemBodies, AFileSaysHowFineItIsAndWhatHoldsIt) {
     const std::string meshed =
-        "shape = \"sphere\"\n" + silicone + "mesh = \"" TRICONTACT_SOURCE_DIR "/README.md\"\n";
+        "shape = \"sphere\"\n" + silicone + "mesh = \"" + paths::source("README.md") + "\"\n";
     const auto expect = [](const std::string& message, const std::string& what) {
         EXPECT_NE(message.find(what), std::string::npos) << message;
     };
@@ -140,8 +141,8 @@ TEST(FemBodies, AFileSaysHowFineItIsAndWhatHoldsIt) {
     expect(refusal(meshed, layer, loaded + "[fem]\naccuracy = 0.01\n"),
            "fem.accuracy = 0.01: the size of elements is that of the indenter's mesh");
     expect(refusal(meshed, layer,
-                   loaded + "[fem]\nmesh = \"" TRICONTACT_SOURCE_DIR
-                            "/README.md\"\nsides = \"fixed\"\n"),
+                   loaded + "[fem]\nmesh = \"" + paths::source("README.md") +
+                       "\"\nsides = \"fixed\"\n"),
            "fem.sides = \"fixed\": a body of a file is held by its surface \"support\"; omit it");
     expect(refusal(meshed, "rigid = true\n", loaded + "[fem]\nsize = \"1 mm\"\n"),
            "the only mesh is the indenter's, which is a file's; omit it");

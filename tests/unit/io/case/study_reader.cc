@@ -11,6 +11,7 @@
 #include <ostream>
 
 #include "contact/base/error.h"
+#include "tests/paths.h"
 #include "walking/input/walk_keys.h"
 
 namespace tricontact::io::study_reader_test {
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string rig = TRICONTACT_SOURCE_DIR "/examples/cases/rig_layer_parallel.toml";
+const std::string rig = paths::source("examples/cases/rig_layer_parallel.toml");
 const std::string head = "case = \"" + rig + "\"\n";
 
 Study parse(const std::string& text) {
@@ -205,7 +206,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(StudyOfWalkingMachines, HasTheKeysOfItsCase) {
     const std::string walking =
-        "case = \"" TRICONTACT_SOURCE_DIR "/examples/cases/walking_set_b.toml\"\n";
+        "case = \"" + paths::source("examples/cases/walking_set_b.toml") + "\"\n";
     const Study study =
         parse(walking + "[set]\ntime.end = 100\n[vary]\nmachine.kappa8 = [0, 1.18]\n");
     EXPECT_TRUE(study.walks);

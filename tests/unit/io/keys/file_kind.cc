@@ -14,6 +14,7 @@
 #include "io/case/rig_file.h"
 #include "io/case/study_reader.h"
 #include "io/keys/key_checks.h"
+#include "tests/paths.h"
 #include "walking/input/walk_keys.h"
 #include "walking/input/walk_reader.h"
 
@@ -65,8 +66,8 @@ const std::set<std::string> of_rigs{"rig", "experiment", "identify"};
 TEST(FileKind, EveryFileGivenToAnotherCommandNamesItsOwn) {
     int n = 0;
     for (const char* folder : {"cases", "studies", "rigs", "records", "measurements"})
-        for (const auto& entry : std::filesystem::directory_iterator(
-                 std::filesystem::path(TRICONTACT_SOURCE_DIR) / "examples" / folder)) {
+        for (const auto& entry :
+             std::filesystem::directory_iterator(paths::source("examples/") + folder)) {
             if (entry.path().extension() != ".toml") continue;
             const std::string command = command_for(entry.path());
             for (const auto& [reader, read] : readers()) {
@@ -102,8 +103,7 @@ TEST(FileKind, SaysWhatItIsAndWhatIsDue) {
 }
 
 TEST(FileKind, AnOverrideDoesNotChangeIt) {
-    const std::string path =
-        std::string(TRICONTACT_SOURCE_DIR) + "/examples/cases/rig_sphere_parallel.toml";
+    const std::string path = paths::source("examples/cases/rig_sphere_parallel.toml");
     EXPECT_NE(
         message([&] { read_case(path, {"rig=rolling"}); }).find("this is the name of a section"),
         std::string::npos);

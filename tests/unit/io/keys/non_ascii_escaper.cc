@@ -2,6 +2,7 @@
 
 #include "io/case/case_reader.h"
 #include "io/keys/toml_text.h"
+#include "tests/paths.h"
 
 namespace tricontact::io::non_ascii_escaper_test {
 namespace {
@@ -36,7 +37,7 @@ TEST(NonAsciiEscaper, ManyCharactersKeepApart) {
 }
 
 TEST(NonAsciiEscaper, DoesNotShowInACase) {
-    const auto c = read_case(TRICONTACT_SOURCE_DIR "/examples/cases/rig_sphere_parallel.toml",
+    const auto c = read_case(paths::source("examples/cases/rig_sphere_parallel.toml"),
                              {"title=\"\u00dcbung \u201c1\u201d\"", "rolling.angle=\"5 \u00b0\""});
     EXPECT_EQ(c.title, "\u00dcbung \u201c1\u201d");
     EXPECT_GT(c.rolling->angle, 0);

@@ -8,6 +8,7 @@
 #include "comparisons/quantities/quantity.h"
 #include "io/case/case_keys.h"
 #include "io/keys/key.h"
+#include "tests/paths.h"
 #include "walking/input/walk_keys.h"
 
 namespace tricontact::walking::case_reference_test {
@@ -16,7 +17,7 @@ namespace {
 class CaseReference : public testing::TestWithParam<const io::KeyList*> {};
 
 void expect_held(const std::string& name, const std::string& reference) {
-    std::ifstream file(TRICONTACT_SOURCE_DIR "/" + name);
+    std::ifstream file(paths::source(name));
     std::stringstream document;
     document << file.rdbuf();
     EXPECT_NE(document.str().find(reference), std::string::npos)

@@ -6,6 +6,7 @@
 
 #include "contact/base/error.h"
 #include "io/case/case_reader.h"
+#include "tests/paths.h"
 #include "tests/unit/walking/sets.h"
 #include "walking/input/walk_keys.h"
 #include "walking/machine/linear_stability.h"
@@ -13,7 +14,7 @@
 namespace tricontact::walking::walk_reader_test {
 namespace {
 
-const std::string cases = TRICONTACT_SOURCE_DIR "/examples/cases/";
+const std::string cases = paths::source("examples/cases/");
 
 const std::string kappas = R"([machine]
 kappa1 = 2
