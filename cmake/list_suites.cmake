@@ -1,5 +1,6 @@
 # Writes TESTS, read by CTest: the suites of PROGRAM with PROPERTIES, TOGETHER of them in a test. Lists within a property
 # are divided by |. Suites named in LONG, divided by |, take over two seconds: each is a test of its own and begins first.
+# So is each whose name ends in Slow; its label is slow.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "\n[^ \n]+\\.[ \n]" suites "\n${listed}")
 list(TRANSFORM suites REPLACE "^\n(.+)\\..$" "\\1")
@@ -27,6 +28,13 @@ foreach(suite IN LISTS long)
     list(REMOVE_AT suites ${place})
     add_suites(${suite})
     string(APPEND text "set_tests_properties(${suite} PROPERTIES COST 30)\n")
+endforeach()
+foreach(suite IN LISTS suites)
+    if(suite MATCHES "Slow$")
+        list(REMOVE_ITEM suites ${suite})
+        add_suites(${suite})
+        string(APPEND text "set_tests_properties(${suite} PROPERTIES LABELS slow COST 10)\n")
+    endif()
 endforeach()
 list(LENGTH suites n)
 set(begin 0)

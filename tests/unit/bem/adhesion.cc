@@ -49,7 +49,7 @@ theory::MaugisContact maugis_at(double lambda, double depth) {
 
 // Errors of the force over pi w R; the edge of the tension is a straight line within a cell, what
 // is left falls with the cells.
-TEST(BemAdhesion, ForcesOfMaugisTransition) {
+TEST(BemAdhesionSlow, ForcesOfMaugisTransition) {
     struct Row {
         double lambda, cells, allowed;
     };
@@ -162,7 +162,7 @@ TEST(BemAdhesion, LosesTheEnergyOfItsJumpsAlone) {
 
 // Against the integral equation of the layer, from thick to thin ones: the contact under a force,
 // and the pull-off, whose error falls with the cells; a thin layer needs ten across its thickness.
-TEST(BemAdhesion, OfALayerAsItsExactTheory) {
+TEST(BemAdhesionSlow, OfALayerAsItsExactTheory) {
     for (const auto& [thickness, nu] : {std::pair{1., .3}, {1., .49}, {.3, .5}}) {
         Ball ball(0, 10);
         ball.c.substrate = {1e6, nu};

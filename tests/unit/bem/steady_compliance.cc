@@ -136,7 +136,7 @@ TEST(SteadyCompliance, IsWhereRollingOnEnds) {
     }
 }
 
-TEST(SteadyCompliance, IsWhereRollingOnALayerEnds) {
+TEST(SteadyComplianceSlow, IsWhereRollingOnALayerEnds) {
     Case layer = relaxing(.5);
     layer.layer.thickness = 1.3 * half_length;
     layer.layer.base = Case::Base::half_space;

@@ -45,7 +45,7 @@ int periods(const History& h) {
     return static_cast<int>(h.shift_per_period.size());
 }
 
-TEST(SettledRun, OfMdrHoldsTheExactShiftFromAFewPeriods) {
+TEST(SettledRunSlow, OfMdrHoldsTheExactShiftFromAFewPeriods) {
     for (const double distance : {.3, .1, 1e-2, 1e-3, 1e-4}) {
         Case c = near_limit(distance, 2000);
         c.of<mdr::Settings>().springs = 3000;  // over 2 a + 2 W

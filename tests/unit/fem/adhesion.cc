@@ -160,7 +160,7 @@ TEST(SectionAdhesion, LetsGoOfLayersAsTheirExactTheory) {
 }
 
 // On a layer of 200 radii, which adds .5 % to the stiffness.
-TEST(SectionAdhesion, LiesOnMaugisCurveAndOnThatOfNoRange) {
+TEST(SectionAdhesionSlow, LiesOnMaugisCurveAndOnThatOfNoRange) {
     for (const double lambda : {.5, 1.}) {
         Section section(200, 24, .3, lambda);
         for (const double depth : {1., .2}) {

@@ -76,7 +76,7 @@ TEST(FemAdhesiveFriction, ShiftsOverTheAdhesiveAreaAndGoesOnFromItsState) {
 
 // The contact moves along nearly as it is, between nodes: the force of a depth changes by a percent
 // of pi w R, and the limit is that of a lens that stays.
-TEST(FemAdhesiveFriction, RollsAsCells) {
+TEST(FemAdhesiveFrictionSlow, RollsAsCells) {
     AdhesiveBall ball = pressed_ball(.4);
     Case& c = ball.c;
     c.rolling.emplace();

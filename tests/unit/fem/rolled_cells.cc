@@ -72,7 +72,7 @@ TEST(FemRolledCells, StripsOnALayerAreThoseOfItsTransform) {
 }
 
 // All components at all positions; elements of a quarter of a cell.
-TEST(FemRolledCells, CellsOnALayerAreThoseOfItsTransform) {
+TEST(FemRolledCellsSlow, CellsOnALayerAreThoseOfItsTransform) {
     const double h = .2e-3;
     const Case c = case_of("fem", "shape = \"sphere\"\n", h);
     const fem::CellResponse r = fem::body_cells(c, 0, nullptr);

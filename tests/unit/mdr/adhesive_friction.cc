@@ -256,7 +256,7 @@ TEST(AdhesiveHysteresis, NarrowContactsPullOffEarlier) {
 
 // Of a loop what the force has done is lost, in jumps and as w - w_a over the area that opens: on
 // the half-space and on a layer.
-TEST(AdhesiveHysteresis, WorkOfALoopIsLost) {
+TEST(AdhesiveHysteresisSlow, WorkOfALoopIsLost) {
     Case c = hysteretic(.03);
     c.load.normal_force.reset();
     c.load.indentation = 8e-6;

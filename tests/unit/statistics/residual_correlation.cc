@@ -55,7 +55,7 @@ TEST(ResidualCorrelation, AFittedConstantTakesTheVarianceOfTheMean) {
 
 // Chances of what is due to chance are uniform: 5 of 100 are below 5 %. Three standard deviations
 // of 300 samples; fourteen rows beside three columns, as tables have.
-TEST(ResidualCorrelation, IndependentErrorsAreFoundCorrelatedAsOftenAsStated) {
+TEST(ResidualCorrelationSlow, IndependentErrorsAreFoundCorrelatedAsOftenAsStated) {
     constexpr std::size_t n = 14;
     auto columns = line(n);
     columns.emplace_back();
@@ -76,7 +76,7 @@ TEST(ResidualCorrelation, IndependentErrorsAreFoundCorrelatedAsOftenAsStated) {
 // Of long series rho is estimated to sqrt((1 - rho^2)/n) (Bartlett); not excluded are values up to
 // 1.64 of that above it, in the mean of samples. Estimates that come from fewer rows are right in
 // the mean as well, which those from residuals alone are not: -1/n and less of independent errors.
-TEST(ResidualCorrelation, OfAutoregressiveErrorsIsTheirs) {
+TEST(ResidualCorrelationSlow, OfAutoregressiveErrorsIsTheirs) {
     constexpr std::size_t n = 300;
     const ResidualProjection projection(line(n));
     std::mt19937_64 generator(2);

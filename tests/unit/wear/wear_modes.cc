@@ -47,7 +47,7 @@ WornState last_of(const contact::Case& c, contact::Model& model) {
 
 // Behind a rig the drive's 2.5 um are shared: what sticks in the end carries F = 2 c G* U_A, so
 // that U_A = U_drive - F/k, and mu (E*/G*) (d - c^2/R) = U_A as without a rig.
-TEST(WearModes, BehindARigTheLimitIsThatOfTheShiftThatIsLeft) {
+TEST(WearModesSlow, BehindARigTheLimitIsThatOfTheShiftThatIsLeft) {
     constexpr double drive = 2.5e-6, depth = 5e-6;
     const auto c = ball("indentation [um], shift_x [um]\n5, 0\n5, 2.5\n5, -2.5\n5, 2.5\n", worn_out,
                         "rig.tangential_stiffness = \"80 N/um\"\npath.steps = 1\n"
@@ -96,7 +96,7 @@ TEST(WearModes, UnderTwoModesTheLimitIsThatOfTheLargestDepth) {
 // balls 1 - 3/2 w + w^3/2. What tells it, the least pressures, is held against a run: a load
 // between the limits of the worn body and the new one comes to rest on the new one, and ratchets on
 // the worn.
-TEST(WearModes, WornByRollingTheLimitOfShakedownFalls) {
+TEST(WearModesSlow, WornByRollingTheLimitOfShakedownFalls) {
     const auto rolled = [](double share, int cycles) {
         const std::string row = "150, " + std::to_string(90 * share) + ", ";
         std::string table = "normal_force [N], tangential_force_x [N], offset_x [um]\n150, 0, 0\n";

@@ -104,7 +104,7 @@ TEST(IdentificationVerdicts, WithoutStatedErrorsAPatternRejects) {
 
 // Depths of a sphere: F = 4/3 E* R^(1/2) d^(3/2), so that an error of R moves E by half of it. R of
 // the evaluation is the true one and its error, drawn at random, as the forces are.
-TEST(IdentificationIntervals, CoverTheTruthAsOftenAsTheyClaimWithUncertainInputs) {
+TEST(IdentificationIntervalsSlow, CoverTheTruthAsOftenAsTheyClaimWithUncertainInputs) {
     constexpr double young = 4e6, radius = 0.04, radius_error = 0.001, force_error = 0.05;
     std::mt19937_64 random(4);
     std::normal_distribution<double> gauss;

@@ -38,7 +38,7 @@ bool holds(const statistics::Estimate& e, double truth) {
     return e.low <= truth && truth <= e.high;
 }
 
-TEST(ExperimentRun, IntervalsOfOneRunCoverTheTruthAsOftenAsTheyClaim) {
+TEST(ExperimentRunSlow, IntervalsOfOneRunCoverTheTruthAsOftenAsTheyClaim) {
     constexpr int n_runs = 100;
     std::mt19937_64 random(1);
     for (const double correlation : {0., 0.7}) {
@@ -111,7 +111,7 @@ TEST(ExperimentRun, WobbleAndJitterDoNotReachTheValuesOfPeriods) {
     }
 }
 
-TEST(Experiment, MeansOfRepeatsCoverTheTruthAsOftenAsTheyClaim) {
+TEST(ExperimentSlow, MeansOfRepeatsCoverTheTruthAsOftenAsTheyClaim) {
     constexpr int n_sets = 80;
     std::mt19937_64 random(5);
     std::normal_distribution<double> gauss(0, 3);

@@ -40,7 +40,7 @@ double held(double memory, std::size_t n, int n_draws, double level = .95) {
 
 // Memories from none to a tenth of the record: 95 % and more hold, not by intervals of any width.
 // 80 draws scatter by 2.4 %, here three times.
-TEST(NoiseCovariance, IntervalsHoldWhateverTheMemory) {
+TEST(NoiseCovarianceSlow, IntervalsHoldWhateverTheMemory) {
     for (const double memory : {0., 4., 20., 60.}) {
         EXPECT_GT(held(memory, 600, 80), .95 - .073) << memory;
     }

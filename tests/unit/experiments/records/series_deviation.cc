@@ -129,7 +129,7 @@ TEST(SeriesDeviation, RestAndCreepOfARelaxingSubstrateAreNoDifference) {
 }
 
 // Of one run by noise, drift and zero: 95 % hold. 60 records scatter by 2.8 %, here three times.
-TEST(SeriesDeviation, StatementsOfOneRunHoldAsOftenAsTheyClaim) {
+TEST(SeriesDeviationSlow, StatementsOfOneRunHoldAsOftenAsTheyClaim) {
     constexpr int n_records = 60;
     std::mt19937_64 random(3);
     SyntheticRecord synthetic;

@@ -36,7 +36,7 @@ std::vector<double> counts(std::size_t n) {
     return t;
 }
 
-TEST(SettlingFit, IntervalsCoverTheTruthAsOftenAsTheyClaim) {
+TEST(SettlingFitSlow, IntervalsCoverTheTruthAsOftenAsTheyClaim) {
     std::mt19937_64 random(1);
     for (const double confidence : {0.683, 0.95})
         for (const double increment : {0., 1.}) {

@@ -51,7 +51,7 @@ TEST(ComparisonError, OneSourceHasItsOwnDegreesOfFreedom) {
 // Two and three runs beside a known error of any size, drawn: at most 5 % of what is true is called
 // a disagreement. 20000 draws scatter by .15 %, here three times. (Welch and Satterthwaite's
 // effective degrees of freedom, which stood here: 8.9 % at worst.)
-TEST(ComparisonError, FewRunsRejectNoMoreThanTheyClaim) {
+TEST(ComparisonErrorSlow, FewRunsRejectNoMoreThanTheyClaim) {
     std::mt19937_64 random(7);
     std::normal_distribution<double> gauss;
     constexpr int n = 6000;  // .05 scatters by .0028, here three times

@@ -281,7 +281,7 @@ Rates rates(int n_runs, std::size_t n_values, const Scatter& scatter) {
 // noise makes them differ, or known errors stand beside them (Behrens and Fisher). Deviations of
 // the stated resolution are seen in most cases, in 95 % of many runs. 500 series scatter by 1 %,
 // deviations seen by 1.5 %; the properties have the numbers.
-TEST(SeriesError, AlarmsAsOftenAsItClaims) {
+TEST(SeriesErrorSlow, AlarmsAsOftenAsItClaims) {
     const std::pair<const char*, Scatter> kinds[] = {{"factor", {.02, 0, 0, .02}},
                                                      {"constant_and_noise", {0, 1, 0, 1}},
                                                      {"factor_and_noise", {.01, 0, 0, 1}},

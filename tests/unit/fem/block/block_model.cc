@@ -88,7 +88,7 @@ TEST(BlockModel, GoesOnFromItsBytes) {
 
 // Loaded across the rolling direction: no half of the contact stands for the other; layers of two
 // materials, one compressible, of finite width with its sides held, free to slide on the base.
-TEST(BlockModel, HistoryOfABlockOfTwoLayersThatSlides) {
+TEST(BlockModelSlow, HistoryOfABlockOfTwoLayersThatSlides) {
     Case c = rolling_rig();
     c.layer.lower = {{4e-3, {3e6, .35}}};
     c.layer.thickness = 4e-3;

@@ -103,7 +103,7 @@ int iterations(double size, double bulk_ratio) {
 
 // Neither incompressible material nor half and a quarter of the edge in the patch, with steeper
 // grading beside it, is felt.
-TEST(BlockSolver, IterationsDependNeitherOnSizeNorOnBulkModulus) {
+TEST(BlockSolverSlow, IterationsDependNeitherOnSizeNorOnBulkModulus) {
     std::vector<int> counts;
     for (const double size : {1e-3, .5e-3, .25e-3})
         for (const double ratio : {1e2, 1e6, 1e15}) counts.push_back(iterations(size, ratio));

@@ -105,7 +105,7 @@ TEST(ResidualChecks, DataOfAnotherLawShowAPattern) {
 
 // Independent errors: a pattern in 5 of 100, an outlier in 1 of 100, within three standard
 // deviations of 400 samples; the interval of 95 % stays one.
-TEST(ResidualChecks, IndependentErrorsAreNotCalledCorrelated) {
+TEST(ResidualChecksSlow, IndependentErrorsAreNotCalledCorrelated) {
     constexpr int n = 200;
     const IdentificationTask exact = shift_task(12);
     std::mt19937_64 generator(11);
