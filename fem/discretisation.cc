@@ -141,8 +141,8 @@ std::vector<double> even_load_on_base(const Q2Space& space, const Unknowns& unkn
 
 }  // namespace
 
-Discretisation::Discretisation(const LayerProblem& problem)
-    : space(problem.mesh),
+Discretisation::Discretisation(const LayerProblem& problem, Elements elements)
+    : space(problem.mesh, elements),
       surface(contact_surface(space)),
       unknowns(number_unknowns(space, surface.nodes, problem)) {
     if (problem.needs_symmetry())

@@ -47,7 +47,7 @@ struct AssembledStiffness {
 struct Discretisation {
     /// Throws contact::InputError when the mesh leaves rigid motions free, has no contact, or
     /// boundary faces without a name.
-    explicit Discretisation(const LayerProblem& problem);
+    explicit Discretisation(const LayerProblem& problem, Elements elements = Elements::any);
 
     /// Recomputed by each call: the largest part of a discretisation, often needed but once.
     AssembledStiffness assemble() const;

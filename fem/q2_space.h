@@ -14,6 +14,10 @@ class Q2Space;
 /// Triquadratic nodes of a hexahedron in VTK's order, by position 0, 1, 2 along each axis.
 extern const std::array<std::array<int, 3>, 27> node_positions;
 
+/// Numbers within a hexahedron of the nine nodes of its lower or upper face across `axis`: corners
+/// counter-clockwise seen from outside, edges, centre.
+std::array<int, 9> nodes_on_face(int axis, bool upper);
+
 /// Integration over one element after another by a Gauss rule.
 class ElementRule {
   public:
@@ -21,7 +25,7 @@ class ElementRule {
     virtual void reinit(std::size_t cell, ElementValues& values) = 0;
 };
 
-/// The elements of a mesh: all that the layer takes from deal.II.
+/// The elements of a mesh.
 class Q2Elements {
   public:
     virtual ~Q2Elements() = default;
@@ -30,10 +34,14 @@ class Q2Elements {
     virtual std::unique_ptr<ElementRule> rule(int n) const = 0;
 };
 
-/// The elements of `mesh`; nodes, cells, regions and faces go to `space`. Of the library that links
-/// deal.II (fem/deal_ii/); the program's module loads that when a mesh first asks for it. Throws
-/// contact::InputError for a mesh whose boundary faces are not all named.
+/// The elements of any `mesh`; nodes, cells, regions and faces go to `space`. Of the library that
+/// links deal.II (fem/deal_ii/); the program's module loads that when a mesh first asks for it.
+/// Throws contact::InputError for a mesh whose boundary faces are not all named.
 std::unique_ptr<const Q2Elements> q2_elements(const meshes::HexMesh& mesh, Q2Space& space);
+
+/// Which elements of a mesh to take: those of deal.II, or those of brick_elements.h where they will
+/// do. Their integrals differ by rounding, which K/G = 1e6 makes 1e-10 of a condensed layer.
+enum class Elements { any, bricks_if_all_are };
 
 /// The nodes of a mesh of triquadratic hexahedra, numbered without gaps, and integration over its
 /// elements and boundary faces.
@@ -45,7 +53,7 @@ class Q2Space {
     };
 
     /// Throws contact::InputError for a mesh whose boundary faces are not all named.
-    explicit Q2Space(const meshes::HexMesh& mesh) : elements_(q2_elements(mesh, *this)) {}
+    explicit Q2Space(const meshes::HexMesh& mesh, Elements elements = Elements::any);
 
     std::vector<std::array<double, 3>> nodes;  ///< [m]
     std::vector<std::array<int, 27>> cells;    ///< VTK's order

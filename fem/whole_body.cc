@@ -7,7 +7,7 @@
 namespace tricontact::fem {
 
 WholeBody::WholeBody(const LayerProblem& problem, const InsideSolverOf& without_factor)
-    : discretisation(problem) {
+    : discretisation(problem, without_factor ? Elements::bricks_if_all_are : Elements::any) {
     if (without_factor) without_factor_ = without_factor(problem, discretisation);
     if (!without_factor_) parts_ = parts_of(discretisation, Elimination::cheapest);
 }

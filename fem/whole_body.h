@@ -19,7 +19,7 @@ using InsideSolverOf = std::function<InsideSolver(const LayerProblem&, const Dis
 /// factor where that does not suit or does not converge.
 class WholeBody {
   public:
-    /// Throws contact::InputError, std::bad_alloc.
+    /// With `without_factor`, elements of bricks. Throws contact::InputError, std::bad_alloc.
     explicit WholeBody(const LayerProblem& problem, const InsideSolverOf& without_factor = {});
 
     /// Displacements [m] under the forces [N] on all unknowns. Most bodies are asked once: factors

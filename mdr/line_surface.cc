@@ -61,6 +61,16 @@ std::vector<double> abel_weights(std::span<const double> positions, double r) {
     return weights;
 }
 
+const std::vector<double>& KeptAbelWeights::at(std::span<const double> positions, double r) {
+    constexpr std::size_t most_numbers = 1 << 21;
+    const bool same = std::ranges::equal(positions, positions_);
+    if (!same || (of_radius_.size() + 1) * positions.size() > most_numbers) of_radius_.clear();
+    if (!same) positions_.assign(positions.begin(), positions.end());
+    const auto kept = of_radius_.find(r);
+    if (kept != of_radius_.end()) return kept->second;
+    return of_radius_.emplace(r, abel_weights(positions, r)).first->second;
+}
+
 double back_transform(std::span<const double> positions, std::span<const double> line_load,
                       std::span<const double> weights) {
     if (line_load.size() != positions.size() || weights.size() + 1 != positions.size())
@@ -118,7 +128,7 @@ EvenLoads even_loads(const PointRow& row, std::span<const double> normal,
 
 contact::Surface make_line_surface(const PointRow& row, int n, double position,
                                    const contact::FrictionLaw& friction, const EvenLoads& loads,
-                                   const ShowPoint& show) {
+                                   const ShowPoint& show, KeptAbelWeights* kept) {
     const int stride = (n + most_surface_points - 1) / most_surface_points;
     contact::Surface s;
     s.layout = contact::Surface::Layout::line;
@@ -133,10 +143,12 @@ contact::Surface make_line_surface(const PointRow& row, int n, double position,
           &s.dissipation, &s.normal_line_load, &s.tangential_line_load})
         field->assign(s.size(), 0);
     s.contact_state.assign(s.size(), contact::ContactState::open);
+    std::vector<double> own;
     for (int k = 0; k < s.n_x; ++k) {
         const double r = std::abs(s.x(k) - position);
         if (r < loads.positions.back()) {
-            const std::vector<double> weights = abel_weights(loads.positions, r);
+            if (!kept) own = abel_weights(loads.positions, r);
+            const std::vector<double>& weights = kept ? kept->at(loads.positions, r) : own;
             s.normal_traction[k] = back_transform(loads.positions, loads.normal, weights);
             s.tangential_traction_x[k] = back_transform(loads.positions, loads.tangential, weights);
         }

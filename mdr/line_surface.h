@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "contact/friction/friction_law.h"
@@ -19,6 +20,17 @@ double back_transform(std::span<const double> positions, std::span<const double>
                       std::span<const double> weights);
 /// The weights at the radius r for the slopes of the pieces [-], one fewer than positions.
 std::vector<double> abel_weights(std::span<const double> positions, double r);
+
+/// The same, kept as long as the positions stay: a contact that rolls to and fro comes back to the
+/// same radii. At most 16 MB.
+class KeptAbelWeights {
+  public:
+    const std::vector<double>& at(std::span<const double> positions, double r);
+
+  private:
+    std::vector<double> positions_;
+    std::unordered_map<double, std::vector<double>> of_radius_;
+};
 
 /// Equally spaced points on a line.
 struct PointRow {
@@ -83,9 +95,11 @@ EvenLoads even_loads(const PointRow& row, std::span<const double> normal,
 /// no area: before rolling, a point at r slips by 2/pi ∫_0^r s(x)/sqrt(r^2 - x^2) dx of the
 /// springs' slips s, a mean over parts of either sign (Popov and Hess 2015), from which no sum of
 /// |s| gives its path; once the contact has rolled, no radius belongs to a spring.
+///
+/// `kept`: from the surfaces before, where their positions may be the same.
 using ShowPoint = std::function<void(int i, int k, contact::Surface& surface)>;
 contact::Surface make_line_surface(const PointRow& row, int n, double position,
                                    const contact::FrictionLaw& friction, const EvenLoads& loads,
-                                   const ShowPoint& show);
+                                   const ShowPoint& show, KeptAbelWeights* kept = nullptr);
 
 }  // namespace tricontact::mdr

@@ -311,7 +311,7 @@ Surface SpringBed::surface() const {
     return make_line_surface(
         {normal_.spring_position(0), normal_.spacing()}, normal_.size(), normal_.position(), *law_,
         loads_of(normal_, deflections_, effective_modulus_, effective_shear_modulus_),
-        [this](int i, int k, Surface& s) { set_spring_fields(i, k, s); });
+        [this](int i, int k, Surface& s) { set_spring_fields(i, k, s); }, &weights_);
 }
 
 void SpringBed::set_spring_fields(int spring, int point, Surface& s) const {

@@ -9,6 +9,7 @@
 #include "contact/wearing_contact.h"
 #include "mdr/bed.h"
 #include "mdr/line_bound.h"
+#include "mdr/line_surface.h"
 #include "mdr/normal_bed.h"
 #include "mdr/stores_shear.h"
 
@@ -107,10 +108,11 @@ class SpringBed final : public Bed, public contact::Wearable, public StoresShear
     /// Per spring in contact the share of the step's shift that carries it, see
     /// LoadStep::in_proportion; empty: all of it.
     std::vector<double> carried_;
-    bool is_fresh_ = true;            // no step has been taken since the release
-    double depth_before_ = 0;         // [m]
-    double normal_force_before_ = 0;  // [N]
-    double normal_energy_ = 0;        // [J]
+    mutable KeptAbelWeights weights_;  // of surface()
+    bool is_fresh_ = true;             // no step has been taken since the release
+    double depth_before_ = 0;          // [m]
+    double normal_force_before_ = 0;   // [N]
+    double normal_energy_ = 0;         // [J]
 
     std::vector<double> least_bounds_;  // since start_limit
     Window least_contact_;

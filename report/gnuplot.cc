@@ -78,9 +78,9 @@ Sheet sheet_for_pages(Picture picture, ImageFormat format) {
             ? fmt::format("svg size {},{} font 'sans-serif,15' background '#ffffff'", picture.width,
                           picture.height)
             : fmt::format(
-                  "pngcairo size {},{} font 'sans,11' fontscale 2 linewidth 2 pointscale 2 "
+                  "pngcairo size {},{} font 'sans,11' fontscale 1.5 linewidth 1.5 pointscale 1.5 "
                   "background '#ffffff'",
-                  2 * picture.width, 2 * picture.height);
+                  3 * picture.width / 2, 3 * picture.height / 2);
     return {std::move(terminal), std::move(picture)};
 }
 

@@ -21,7 +21,7 @@ enum class ImageFormat { svg, png };
 
 /// A picture before it is drawn: what stands in the script between terminal and end.
 struct Picture {
-    int width = 640, height = 420;  ///< [CSS pixels]; PNG files have twice as many
+    int width = 640, height = 420;  ///< [CSS pixels]; PNG files have 1.5 times as many
     std::string script;             ///< gnuplot commands with inline data, no `set terminal`
 };
 

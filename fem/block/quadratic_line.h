@@ -8,7 +8,12 @@ namespace tricontact::fem {
 /// Quadratic shape functions of an edge of unit length with nodes at 0, 1/2, 1, and Gauss' rule of
 /// three points, exact for their products: all that bricks need.
 struct QuadraticLine {
-    using Matrix = std::array<std::array<double, 3>, 3>;
+    using Values = std::array<double, 3>;
+    using Matrix = std::array<Values, 3>;
+
+    /// Of the three functions at s in [-1, 1] from one end to the other, and their slopes.
+    static Values values_at(double s) { return {s * (s - 1) / 2, 1 - s * s, s * (s + 1) / 2}; }
+    static Values slopes_at(double s) { return {2 * s - 1, -4 * s, 2 * s + 1}; }
 
     std::array<double, 3> weight{5. / 18, 8. / 18, 5. / 18};
     std::array<double, 3> centred{-std::sqrt(.6), 0, std::sqrt(.6)};  ///< points on [-1, 1]
@@ -17,9 +22,8 @@ struct QuadraticLine {
 
     QuadraticLine() {
         for (int q = 0; q < 3; ++q) {
-            const double s = centred[q];
-            value[q] = {s * (s - 1) / 2, 1 - s * s, s * (s + 1) / 2};
-            slope[q] = {2 * s - 1, -4 * s, 2 * s + 1};
+            value[q] = values_at(centred[q]);
+            slope[q] = slopes_at(centred[q]);
         }
         for (int q = 0; q < 3; ++q)
             for (int i = 0; i < 3; ++i)

@@ -64,9 +64,7 @@ namespace {
 constexpr std::size_t face_gauss_points = 3, nodes_of_face = 9;
 
 // Two numberings meet here: deal.II's within a cell and on its faces, and VTK's, which everything
-// else in this program uses. They are matched by positions on the unit cell, so that no table of
-// deal.II's is copied. Face nodes go round counter-clockwise seen from outside (right hand,
-// outward).
+// else in this program uses. They are matched by positions on the unit cell.
 // For each of VTK's nodes, its number within a cell of `fe`.
 std::array<unsigned, 27> numbers_within_cell(const dealii::FiniteElement<3>& fe) {
     std::array<unsigned, 27> numbers{};
@@ -82,22 +80,9 @@ std::array<unsigned, 27> numbers_within_cell(const dealii::FiniteElement<3>& fe)
     return numbers;
 }
 
-// VTK's numbers within a hexahedron of the nine nodes of deal.II's face `face`, outward.
-std::array<int, 9> nodes_on_face(int face) {
-    const int axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
-    constexpr std::array<std::array<int, 2>, 9> quad{
-        {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}}};
-    std::array<int, 9> nodes{};
-    for (int i = 0; i < 9; ++i) {
-        std::array<int, 3> at{};
-        const bool upper = face % 2 == 1;  // on the lower side u and v change places: outward
-        at[axis] = upper ? 2 : 0;
-        at[upper ? u : v] = quad[i][0];
-        at[upper ? v : u] = quad[i][1];
-        nodes[i] = static_cast<int>(std::find(node_positions.begin(), node_positions.end(), at) -
-                                    node_positions.begin());
-    }
-    return nodes;
+// Of deal.II's face `face`.
+std::array<int, 9> nodes_on(int face) {
+    return nodes_on_face(face / 2, face % 2 == 1);
 }
 
 using Cells = std::vector<dealii::DoFHandler<3>::active_cell_iterator>;
@@ -159,7 +144,7 @@ class Elements : public Q2Elements {
         dealii::FEFaceValues<3> values(mapping_, fe_, dealii::QGauss<2>(face_gauss_points),
                                        dealii::update_values | dealii::update_JxW_values);
         values.reinit(cells_[c], f);
-        const auto local = nodes_on_face(f);
+        const auto local = nodes_on(f);
         std::array<std::array<double, 9>, 9> mass{};
         for (const unsigned q : values.quadrature_point_indices())
             for (std::size_t i = 0; i < nodes_of_face; ++i)
@@ -180,7 +165,7 @@ class Elements : public Q2Elements {
         require_name(face->boundary_id(), {x[0], x[1], x[2]});
         auto& [numbers, boundary] = space.faces.emplace_back();
         boundary = static_cast<meshes::Boundary>(face->boundary_id() - 1);
-        const auto local = nodes_on_face(f);
+        const auto local = nodes_on(f);
         for (int i = 0; i < 9; ++i) numbers[i] = space.cells[c][local[i]];
         cell_of_face_.emplace_back(c, f);
     }

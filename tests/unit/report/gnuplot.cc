@@ -68,8 +68,8 @@ TEST(Gnuplot, DrawsBothFormats) {
     EXPECT_NE(svg.find("width=\"320\" height=\"200\""), std::string::npos);
     const std::string png = drawn(picture, ImageFormat::png);
     EXPECT_TRUE(png.starts_with("\x89PNG\r\n\x1a\n"));
-    // IHDR: big-endian width and height, twice the CSS pixels.
-    EXPECT_EQ(png.substr(16, 8), std::string("\0\0\x02\x80\0\0\x01\x90", 8));
+    // IHDR: big-endian width and height, 1.5 times the CSS pixels.
+    EXPECT_EQ(png.substr(16, 8), std::string("\0\0\x01\xe0\0\0\x01\x2c", 8));
 }
 
 TEST(Gnuplot, AScriptThatDrawsNothingIsAnError) {
