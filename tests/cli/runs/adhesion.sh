@@ -57,8 +57,9 @@ grep -q "Theory (Hertz)" text && complain "refined against Hertz: $(cat text)"
     complain "-1.5 mN holds"
 grep -q "holds 0.00141372 N at most" text || complain "$(cat text)"
 
-# 5. By cells: JKR within the bars.
-"$program" run "$case" --models bem --set contact.coupling=false --set 'bem.spacing="16 um"' --output cells --no-report --quiet >text 2>&1 ||
+# 5. By cells: JKR within the bars, on a short way in and out.
+"$program" run "$case" --models bem --set contact.coupling=false --set 'bem.spacing="16 um"' \
+    --set 'path.table="indentation [um]\n0\n4\n-6"' --set path.steps=5 --output cells --no-report --quiet >text 2>&1 ||
     complain "no cells: $(cat text)"
 "$python" - <<'PYTHON' || complain "cells"
 import json, math
