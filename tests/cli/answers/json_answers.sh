@@ -48,15 +48,15 @@ json compare/compare.json 0 compare run other -o compare
 printf 'case = "%s"\nmodels = ["mdr"]\n[set]\nmdr.springs = 200\nrolling.steps = "turning-points"\n[vary]\nload.tangential_ratio = [0.1, 0.2]\n' \
     "$sphere" >few.toml
 json - 0 sweep few.toml -j 1 --no-report -q -o few
-"$python" -c 'import json; d = json.load(open("answer.json")); assert (d["points"], d["failed"]) == (2, 0), d' ||
+"$python" -S -c 'import json; d = json.load(open("answer.json")); assert (d["points"], d["failed"]) == (2, 0), d' ||
     complain "sweep counts $(cat answer.json)"
 json - 0 sweep merge merged few
-"$python" -c 'import json; d = json.load(open("answer.json"))["merged"][0]; assert (d["points"], d["failures"]) == (2, 0), d' ||
+"$python" -S -c 'import json; d = json.load(open("answer.json"))["merged"][0]; assert (d["points"], d["failures"]) == (2, 0), d' ||
     complain "sweep merge counts $(cat answer.json)"
 sed 's/tangential_ratio = .*/tangential_ratio = {from = 0.1, to = 0.2}/' few.toml >map.toml
 printf '[atlas]\npoints = 20\nerror = 0.5\nquantities = ["final_shift_ratio"]\n' >>map.toml
 json - 0 atlas map.toml -j 1 --check 5 -q -o map
-"$python" -c 'import json; d = json.load(open("answer.json")); assert d["checks"][0]["points"] == 5 and d["checks"][0]["passed"], d' ||
+"$python" -S -c 'import json; d = json.load(open("answer.json")); assert d["checks"][0]["points"] == 5 and d["checks"][0]["passed"], d' ||
     complain "atlas --check $(cat answer.json)"
 json few/fit.json 0 fit few.toml -o few -q
 "$program" rig "$examples/rigs/cylinder_parallel.toml" -o rig --export papers >/dev/null 2>&1 || complain "no export"
@@ -68,7 +68,7 @@ if has_fem; then
 fi
 
 # Each is JSON, and the numbers of its file but for the notes, which the text says beside it.
-"$python" - <<'PYTHON' || complain "answers, see above"
+"$python" -S - <<'PYTHON' || complain "answers, see above"
 import json, sys
 lines = open("answers.txt").read().splitlines()
 failed = len(lines) < 26
