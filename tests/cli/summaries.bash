@@ -3,7 +3,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
 # value MODEL KEY FILE: of a summary.
 value() {
-    "$python" -c "import json; print(json.load(open('$3'))['models']['$1']['$2'])"
+    "$python" -S -c "import json; print(json.load(open('$3'))['models']['$1']['$2'])"
 }
 # near VALUE EXPECTED TOLERANCE WHAT
 near() {

@@ -5,7 +5,8 @@
 source "$(dirname -- "${BASH_SOURCE[0]}")/../cli/prepare.bash"
 document=$source_dir/docs/reference/verification.md
 
-"$program" verify --quiet >long 2>err || complain "a row fails: $(grep FAIL long)"
+"$program" verify --quiet --output written >long 2>err || complain "a row fails: $(grep FAIL long)"
+cmp -s long written/verification.md || complain "verification.md is not what is printed"
 [ -s err ] && complain "--quiet is not silent: $(cat err)"
 without_errors() { awk -F'|' -v OFS='|' '/^\|/ { $7 = $9 = "" } { print }' "$1"; }
 # A program without finite elements has no rows of theirs.

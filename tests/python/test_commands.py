@@ -167,7 +167,7 @@ def test_progress_is_told_and_may_end_it(rig):
 
 def test_ctrl_c_ends_a_command(rig):
     # Without it: minutes. Other threads go on meanwhile, or nobody would send the signal.
-    timer = threading.Timer(1.0, signal.raise_signal, [signal.SIGINT])
+    timer = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT])
     begin = time.monotonic()
     timer.start()
     with pytest.raises(KeyboardInterrupt):

@@ -202,7 +202,7 @@ except KeyboardInterrupt:
 
 def test_finite_elements_are_found(examples, program):
     file = examples / "cases" / "rig_layer_parallel.toml"
-    settings = {**COARSE, "fem.size": "2 mm", "fem.cache": "none"}
+    settings = {**COARSE, "rolling.periods": 1, "load.press_steps": 2, "fem.size": "2 mm", "fem.cache": "none"}
     try:
         case = tricontact.Case.from_file(file, {**settings, "models": ["fem"]})
         history = tricontact.run(case, studies=False)["fem"]

@@ -29,7 +29,7 @@ run() {
 # 1. Nothing slips: U = F_T/F_N E*/G* d exactly (Mindlin and Deresiewicz 1953), with one step as with many.
 for steps in 1 3 10; do
     run "oblique_$steps" oblique.toml --no-report --set "path.steps=$steps"
-    "$python" - "oblique_$steps" <<'END' || complain "the shift of a path of $steps steps is not what its ± says"
+    "$python" -S - "oblique_$steps" <<'END' || complain "the shift of a path of $steps steps is not what its ± says"
 import json, sys
 summary = json.load(open(sys.argv[1] + "/summary.json"))
 contact = 5.2e6 / .75  # E* of a rigid body on nu = 1/2; G* is 4 G/(2 - nu), E*/G* = 1.5
@@ -48,7 +48,7 @@ rolling=("$source_dir/examples/cases/rig_sphere_parallel.toml" --set models='["m
 run fine "${rolling[@]}" --set rolling.steps_per_quarter=64 --no-studies --no-report
 run turning "${rolling[@]}" --no-report --set rolling.steps=turning-points
 run quarter "${rolling[@]}" --no-report --set rolling.steps_per_quarter=1
-"$python" - <<'END' || complain "± of turning points or one step per quarter"
+"$python" -S - <<'END' || complain "± of turning points or one step per quarter"
 import json
 def of(run):
     return json.load(open(run + "/summary.json"))
@@ -71,7 +71,7 @@ if has_fem; then
     grep -q '^size = ' fem/case.toml && complain "the case gives the size of its elements"
     models+=(fem)
 fi
-"$python" - "${models[@]}" <<'END' || complain "a ± of 0"
+"$python" -S - "${models[@]}" <<'END' || complain "a ± of 0"
 import json, sys
 for run in sys.argv[1:]:
     error = json.load(open(run + "/summary.json"))["numerical_error"]

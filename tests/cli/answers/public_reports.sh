@@ -96,7 +96,7 @@ TOML
 }
 # holds NAME WIDTH: 2 kPa lies in the interval, which is narrower than WIDTH of it, and 1 um where nothing is left out.
 holds() {
-    "$python" - "$@" <<'PYTHON' || complain "$1: $(cat "$1.out")"
+    "$python" -S - "$@" <<'PYTHON' || complain "$1: $(cat "$1.out")"
 import json, sys
 m = json.load(open(f"out_{sys.argv[1]}/identify.json"))["models"]["half-space"]
 low, high = m["young_Pa"]["likelihood_interval"]

@@ -22,7 +22,7 @@ find = ["substrate.young"]
 models = ["half-space"]
 TOML
 }
-young() { "$python" -c "import json; print(json.load(open('$1/identify.json'))['models']['half-space']['young_Pa']['$2'])"; }
+young() { "$python" -S -c "import json; print(json.load(open('$1/identify.json'))['models']['half-space']['young_Pa']['$2'])"; }
 
 header='indentation [nm], normal_force [nN]'
 { echo "$header"; cat rows; } >plain.csv
@@ -54,7 +54,7 @@ refused 'indentation = -700: there is no contact at this depth, counted from whe
     identify "$work/curve.toml" --output out
 sed 's/find = .*/find = ["substrate.young", "zero_depth"]/' curve.toml >zero.toml
 "$program" identify zero.toml --output out_zero --quiet >zero.out 2>&1 || complain "zero: $(cat zero.out)"
-"$python" - <<'PYTHON' || complain "E or the depth of contact: $(cat zero.out)"
+"$python" -S - <<'PYTHON' || complain "E or the depth of contact: $(cat zero.out)"
 import json
 m = json.load(open("out_zero/identify.json"))["models"]["half-space"]
 low, high = m["young_Pa"]["likelihood_interval"]
@@ -88,7 +88,7 @@ jpk "height vDeflection measuredHeight" "m N m" >height.txt
 for name in tip height; do
     sed "s|$work/curve.csv|$work/$name.txt|" zero.toml >$name.toml
     "$program" identify $name.toml --output out_$name --quiet >$name.out 2>&1 || complain "$name: $(cat $name.out)"
-    "$python" - $name <<'PYTHON' || complain "E or the first touch of JPK's text: $(cat $name.out)"
+    "$python" -S - $name <<'PYTHON' || complain "E or the first touch of JPK's text: $(cat $name.out)"
 import json, sys
 m = json.load(open(f"out_{sys.argv[1]}/identify.json"))["models"]["half-space"]
 low, high = m["young_Pa"]["likelihood_interval"]
@@ -129,7 +129,7 @@ cp "$source_dir/examples/measurements/rig_indentation.csv" .
 awk -F, -v OFS=, '/^#|indentation/ { print; next } NF { $1 = $1 - 1000; print }' rig_indentation.csv >moved.csv
 sed 's/rig_indentation.csv/moved.csv/' layer.toml >moved.toml
 "$program" identify moved.toml --output out_moved --quiet >moved.out 2>&1 || complain "moved: $(cat moved.out)"
-"$python" - <<'PYTHON' || complain "zero_depth on a layer: $(cat layer.out moved.out)"
+"$python" -S - <<'PYTHON' || complain "zero_depth on a layer: $(cat layer.out moved.out)"
 import json
 here, there = (json.load(open(f"out_{name}/identify.json"))["models"]["layer"] for name in ("layer", "moved"))
 low, high = here["young_Pa"]["likelihood_interval"]

@@ -27,7 +27,7 @@ END
 
 # yielding FROM TO TANGENTIAL NORMAL: the cell at the load yields by so much more [m/Pa].
 yielding() {
-    "$python" - "$@" <<'END'
+    "$python" -S - "$@" <<'END'
 import sys
 source, target, tangential, normal = sys.argv[1:]
 with open(source) as lines, open(target, "w") as out:
@@ -52,9 +52,9 @@ family() {
             yielding plain.txt "$name$cells.txt" "$tangential" "$normal"
             "$program" run sphere.toml --quiet --no-studies --no-report --output "$name$cells" --set bem.cells_per_radius=$cells \
                 --set "bem.influence=$name$cells.txt" >/dev/null || complain "no run $name$cells"
-            printf '[[mesh]]\nsize = "%s mm"\nfield = "%s"\n' "$("$python" -c "print(4.87 / $cells)")" \
+            printf '[[mesh]]\nsize = "%s mm"\nfield = "%s"\n' "$("$python" -S -c "print(4.87 / $cells)")" \
                 "$name$cells/bem/surface.ex2"
-            "$python" -c 'import json, sys
+            "$python" -S -c 'import json, sys
 found = json.load(open(sys.argv[1] + "/summary.json"))["models"]["bem"]
 print("indentation = \"%.9g m\"\nshift = \"%.9g m\"" % (found["end_indentation_m"], found["static_shift_m"]))' "$name$cells"
         done
@@ -65,7 +65,7 @@ print("indentation = \"%.9g m\"\nshift = \"%.9g m\"" % (found["end_indentation_m
 # Elastic slip: 26 MPa/mm, penalty: 100 MPa/mm, both.
 family slip 3.846153846e-11 0 'stick_slope = "26 MPa/mm"'
 family penalty 0 1e-11 'stiffness = "100 MPa/mm"' 'kinematics = "undeformed"'
-"$python" - <<'END' || complain "what is explained"
+"$python" -S - <<'END' || complain "what is explained"
 import json
 def numbers(name):
     return json.load(open(name + "/comparison.json"))["quantities"]

@@ -127,7 +127,7 @@ for name in plain corners; do
     "$program" sweep study_$name.toml --output sweep_$name >sweep_$name.out 2>&1 || complain "$(cat sweep_$name.out)"
     sed 's/tangential_ratio = 0/tangential_ratio = 0.4/' $name.toml >rolled_$name.toml
     printf '[rolling]\namplitude = "0.01 mm"\n' >>rolled_$name.toml
-    "$program" limit rolled_$name.toml --tolerance 0.1 --output limit_$name >limit_$name.out 2>&1 ||
+    "$program" limit rolled_$name.toml --set "bem.spacing=0.1 mm" --tolerance 0.1 --output limit_$name >limit_$name.out 2>&1 ||
         complain "$(cat limit_$name.out)"
     # Levels from twice the cells on: the finest has those of the runs above.
     "$program" refine $name.toml --models bem --set "bem.spacing=0.1 mm" --output refine_$name >refine_$name.out 2>&1 ||

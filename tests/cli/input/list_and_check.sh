@@ -59,7 +59,7 @@ derived() {
             found = error < 5e-4 && error > -5e-4 && $5 == unit
         }
         END { exit !found }' <<<"${text//−/-}" || complain "$1 = $2 $3 is due in: $text"
-    "$python" - "$work/check.json" "$@" <<'PYTHON' || complain "$1 = $2 $3 is due in check --json"
+    "$python" -S - "$work/check.json" "$@" <<'PYTHON' || complain "$1 = $2 $3 is due in check --json"
 import json, sys
 factor = {"mm": 1e-3, "µm": 1e-6, "MPa": 1e6, "kPa": 1e3}.get(sys.argv[4], 1)
 value = json.load(open(sys.argv[1]))["derived"][sys.argv[2]]["value"]

@@ -8,7 +8,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
 "$program" new --list >list.txt || complain "--list"
 [ "$(wc -l <list.txt)" -gt 30 ] || complain "only $(wc -l <list.txt) examples"
 "$program" new --list --json >list.json || complain "--list --json"
-"$python" -c '
+"$python" -S -c '
 import json
 for one in json.load(open("list.json"))["examples"]:
     assert one["title"], one
@@ -41,7 +41,7 @@ refused "no terminal, on which title would be asked" new
 "$program" new --set 'substrate.thickness=8 mm' --set indenter.radius='"20 mm"' --set rolling.amplitude_ratio=none \
     --set title='A "soft" layer' --defaults -o layer.toml >said.txt </dev/null || complain "options: $(cat said.txt)"
 "$program" check layer.toml --json >layer.json || complain "the layer cannot be read"
-"$python" - <<'PYTHON' || complain "the layer is another: $(cat layer.toml)"
+"$python" -S - <<'PYTHON' || complain "the layer is another: $(cat layer.toml)"
 import json
 answer = json.load(open("layer.json"))
 case = answer["case"]
@@ -60,7 +60,7 @@ refused '--set title: is given twice' new --defaults --set title=a --set title=b
 refused 'indenter.radius: is needed; for example 40 mm' new --defaults --set indenter.radius=none
 
 # 4. A terminal: usual answers by Enter; a wrong one is told at once, in one line, and asked again; an end writes nothing.
-"$python" - "$program" <<'PYTHON' || complain "the terminal"
+"$python" -S - "$program" <<'PYTHON' || complain "the terminal"
 import os, pty, select, sys
 
 def talk(arguments, answers):

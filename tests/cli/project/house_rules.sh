@@ -96,21 +96,26 @@ done < <(find "${rooms[@]}" speed tests \
 # walking machines that is in the digest, all that it includes; and nothing that is not there.
 sources=$(dirname "$program")/runs_numerics_digest.txt
 if [ -e "$sources" ]; then
-    while read -r file; do
-        grep -qxF "$file" "$sources" || complain "$file is not in the digest of the numerics"
-    done < <(find contact files statistics theory meshes mdr bem fem rolling io -name '*.cc' -o -name '*.h')
+    # missing WHAT: names of files, one a line, that are not in the digest.
+    missing() {
+        while read -r file; do
+            complain "$file$1 not in the digest of the numerics"
+        done < <(sort -u | comm -23 - <(sort -u "$sources"))
+    }
+    missing " is" < <(find contact files statistics theory meshes mdr bem fem rolling io -name '*.cc' -o -name '*.h')
     while read -r file; do
         [ -e "$file" ] || complain "$file, in the digest of the numerics, is no file"
     done <"$sources"
     for room in app atlas comparisons fem/finite_strain runs studies walking wear; do
         grep -q "^$room/" "$sources" || complain "nothing of $room is in the digest of the numerics"
     done
-    while read -r header; do
-        grep -qxF "$header" "$sources" || complain "$header is included, but not in the digest of the numerics"
-        unit=${header%.h}.cc
-        [ ! -e "$unit" ] || grep -qxF "$unit" "$sources" || complain "$unit is not in the digest of the numerics"
-    done < <(grep -E '^(comparisons|walking)/' "$sources" |
+    included=$(grep -E '^(comparisons|walking)/' "$sources" |
         xargs sed -n 's/^#include "\(\(comparisons\|walking\)\/.*\)"$/\1/p' | sort -u)
+    [ -n "$included" ] || complain "nothing of comparisons is included"
+    missing ", which is included, is" <<<"$included"
+    missing ", the unit of what is included, is" < <(sed 's/h$/cc/' <<<"$included" | while read -r unit; do
+        [ ! -e "$unit" ] || echo "$unit"
+    done)
 fi
 
 # Keys of results are declared once. Steps of a run, arguments of Python's theory and totals of other codes' results,

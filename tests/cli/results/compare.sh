@@ -50,7 +50,7 @@ run --output finer --models bem --set bem.cells_per_radius=12
 # 1. Hertz: the force grows as d^(3/2), a as d^(1/2), p_0 as d^(1/2).
 expect 0 compare a b --output ab
 says "load.indentation" out
-$python - <<'END' || complain "no Hertz in ab/compare.json"
+$python -S - <<'END' || complain "no Hertz in ab/compare.json"
 import json
 found = json.load(open("ab/compare.json"))
 assert [one["key"] for one in found["case_differences"]] == ["load.indentation"], found["case_differences"]
@@ -70,7 +70,7 @@ for file in ab/report.html ab/difference_mdr.vti ab/difference_bem.vti; do [ -s 
 # 2. A folder beside itself: nothing differs.
 expect 0 compare a a/ --output aa --quiet
 says "the cases are the same" out
-$python - <<'END' || complain "a differs from itself"
+$python -S - <<'END' || complain "a differs from itself"
 import json
 for pair in json.load(open("aa/compare.json"))["pairs"]:
     assert all(not one["difference"] for one in pair["quantities"].values())
@@ -80,7 +80,7 @@ END
 
 # 3. Bars of either; a run without surfaces; models of other names; models that are in one only.
 expect 0 compare bars finer --output bars_finer
-$python - <<'END' || complain "no bars"
+$python -S - <<'END' || complain "no bars"
 import json
 found = json.load(open("bars_finer/compare.json"))["pairs"][0]["quantities"]["static_shift_m"]
 assert found["bar_a"] > found["bar_b"] > 0 and found["bars_overlap"] is True, found

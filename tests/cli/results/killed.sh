@@ -20,7 +20,7 @@ whole_csv() {
 # states FILE: how many a series has, -1 where the file ends before its last one. Bytes 4 to 7 of netCDF's classic format
 # are their number.
 states() {
-    "$python" - "$1" <<'PYTHON'
+    "$python" -S - "$1" <<'PYTHON'
 import struct, sys
 content = open(sys.argv[1], "rb").read()
 at, n_states = 8, struct.unpack(">I", content[4:8])[0]

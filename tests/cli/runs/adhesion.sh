@@ -7,7 +7,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/../summaries.bash"
 # lost in two jumps; force curve first.
 case=$source_dir/examples/cases/adhesive_sphere.toml
 "$program" run "$case" --output out --quiet >text 2>&1 || complain "no run: $(cat text)"
-"$python" - <<'PYTHON' || complain "numbers of JKR"
+"$python" -S - <<'PYTHON' || complain "numbers of JKR"
 import csv, json, math
 w, R, E = 60e-3, 5e-3, 2e6
 model = json.load(open("out/summary.json"))["models"]["mdr"]
@@ -28,7 +28,7 @@ PYTHON
 
 # 2. The same without a run.
 "$program" predict "$case" --json >prediction.json || complain "no prediction"
-"$python" - <<'PYTHON' || complain "prediction: $(head -c 600 prediction.json)"
+"$python" -S - <<'PYTHON' || complain "prediction: $(head -c 600 prediction.json)"
 import json
 run = json.load(open("out/summary.json"))["models"]["mdr"]
 said = json.dumps(json.load(open("prediction.json"))["models"]["mdr"])
@@ -40,7 +40,7 @@ grep -q "F_off .*1.414 mN" text || complain "check knows no pull-off: $(cat text
 # 3. On a layer it holds more; bars by other elements.
 "$program" run "$case" --models mdr-layer --set 'substrate.thickness="0.1 mm"' --output layer --quiet >text 2>&1 ||
     complain "no layer: $(cat text)"
-"$python" - <<'PYTHON' || complain "layer"
+"$python" -S - <<'PYTHON' || complain "layer"
 import json
 summary = json.load(open("layer/summary.json"))
 model = summary["models"]["mdr-layer"]
@@ -57,10 +57,11 @@ grep -q "Theory (Hertz)" text && complain "refined against Hertz: $(cat text)"
     complain "-1.5 mN holds"
 grep -q "holds 0.00141372 N at most" text || complain "$(cat text)"
 
-# 5. By cells: JKR within the bars.
-"$program" run "$case" --models bem --set contact.coupling=false --set 'bem.spacing="16 um"' --output cells --no-report --quiet >text 2>&1 ||
+# 5. By cells: JKR within the bars, on a short way in and out.
+"$program" run "$case" --models bem --set contact.coupling=false --set 'bem.spacing="16 um"' \
+    --set 'path.table="indentation [um]\n0\n4\n-6"' --set path.steps=5 --output cells --no-report --quiet >text 2>&1 ||
     complain "no cells: $(cat text)"
-"$python" - <<'PYTHON' || complain "cells"
+"$python" -S - <<'PYTHON' || complain "cells"
 import json, math
 w, R, E = 60e-3, 5e-3, 2e6
 summary = json.load(open("cells/summary.json"))
@@ -78,7 +79,7 @@ rolling=$source_dir/examples/cases/adhesive_rolling.toml
 "$program" run "$rolling" --output rolled --no-studies --no-report --quiet >text 2>&1 || complain "not rolled: $(cat text)"
 "$program" predict "$rolling" --json >prediction.json || complain "rolling not predicted"
 "$program" limit "$rolling" --tolerance 1e-4 --output limit --quiet >text 2>&1 || complain "no limit: $(cat text)"
-"$python" - <<'PYTHON' || complain "rolling"
+"$python" -S - <<'PYTHON' || complain "rolling"
 import json, math
 w, R, E, G, F, tau, x = 60e-3, 5e-3, 2e6, 4 / 3 * 1e6, .5e-3, 40e3, .25
 t = math.pi * w * R
@@ -99,7 +100,7 @@ PYTHON
 
 # 7. Separation that takes more than the approach gains: a loop loses more than its jumps, off at the same force.
 "$program" run "$case" --set 'adhesion.approach_work="20 mJ/m2"' --output hysteresis --no-studies --no-report --quiet >text 2>&1 || complain "no hysteresis: $(cat text)"
-"$python" - <<'PYTHON' || complain "hysteresis"
+"$python" -S - <<'PYTHON' || complain "hysteresis"
 import csv, json, math
 model = json.load(open("hysteresis/summary.json"))["models"]["mdr"]
 assert abs(model["pull_off_force_N"] / (1.5 * math.pi * 60e-3 * 5e-3) - 1) < 1e-6
@@ -113,7 +114,7 @@ PYTHON
 range=(--set 'adhesion.peak_stress="96 kPa"')
 "$program" run "$case" "${range[@]}" --output range --no-studies --no-report --quiet >text 2>&1 || complain "no range: $(cat text)"
 "$program" predict "$case" "${range[@]}" --json >prediction.json || complain "range not predicted"
-"$python" - <<'PYTHON' || complain "range"
+"$python" -S - <<'PYTHON' || complain "range"
 import csv, json
 model = json.load(open("range/summary.json"))["models"]["mdr"]
 predicted = json.load(open("prediction.json"))["models"]["mdr"]

@@ -9,7 +9,7 @@ elements=(--set contact.coupling=false --set 'substrate.thickness="0.14 mm"' --s
 
 # Within these parts of pull-off and radius of mdr-layer, the audit passed, fields in the surface's file.
 holds() {
-    "$python" - "$@" <<'PYTHON' || complain "$1 $2"
+    "$python" -S - "$@" <<'PYTHON' || complain "$1 $2"
 import json, sys
 folder, name, within = sys.argv[1], sys.argv[2], float(sys.argv[3])
 models = json.load(open(f"{folder}/summary.json"))["models"]

@@ -5,7 +5,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
 
 # derived CASE NAME VALUE: check derives the value (SI), to five digits.
 derived() {
-    "$program" check "$source_dir/examples/cases/$1.toml" --json | "$python" -c '
+    "$program" check "$source_dir/examples/cases/$1.toml" --json | "$python" -S -c '
 import json, sys
 value = json.load(sys.stdin)["derived"][sys.argv[1]]["value"]
 sys.exit(abs(value / float(sys.argv[2]) - 1) > 2e-5)' "$2" "$3" || complain "$1: $2 is not $3"

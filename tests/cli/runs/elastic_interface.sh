@@ -86,7 +86,7 @@ cells_per_radius = 40
 TOML
 "$program" benchmark compare --case pressed.toml "$foreign"/freefem_p2_{1,0.5,0.25}.csv --tolerance 0.01 \
     --output compared --quiet >compared.txt || complain "the comparison fails"
-"$python" - <<'PYTHON' || complain "a penalty is not the problem's own"
+"$python" -S - <<'PYTHON' || complain "a penalty is not the problem's own"
 import json
 force = json.load(open("compared/comparison.json"))["quantities"]["normal_force"]
 assert force["verdict"] == "pass" and abs(force["difference"]) < 1e-3, force
@@ -123,7 +123,7 @@ longitudinal_creepage = 0.008
 cells_per_radius = 20
 TOML
 "$program" run brush.toml --points 0 --quiet --output brush || complain "the brush does not roll"
-near "$("$python" -c "import json; print(json.load(open('brush/summary.json'))['models'][0]['steady']['force_ratio'])")" \
+near "$("$python" -S -c "import json; print(json.load(open('brush/summary.json'))['models'][0]['steady']['force_ratio'])")" \
     0.945752 5e-3 "force of the brush"
 grep -q "2 GPa/m" brush/report.html || complain "the page of rolling does not say the springs"
 

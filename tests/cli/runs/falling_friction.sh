@@ -5,7 +5,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
 case_file=$source_dir/examples/cases/rolling_falling_friction.toml
 
 # value FOLDER KEY: of the steady state; KEY may be "from_fast_slip".
-value() { "$python" -c "import json, sys; m = json.load(open('$1/summary.json'))['models'][0]; print(m['steady'].get('$2', m.get('$2')))"; }
+value() { "$python" -S -c "import json, sys; m = json.load(open('$1/summary.json'))['models'][0]; print(m['steady'].get('$2', m.get('$2')))"; }
 
 # 1. One state, of which both searches tell; without a way from rest.
 "$program" run "$case_file" --points 3 --quiet --output one >told.txt 2>&1 || complain "the example: $(cat told.txt)"

@@ -49,7 +49,7 @@ sed 's/^coefficient.*/shear_strength = "30 kPa"/' "$source_dir/examples/cases/ro
 sed 's/^coefficient.*/shear_strength = "30 kPa"/' "$source_dir/examples/cases/rolling_sphere.toml" >ball.toml
 # over_theory FILE THEORY: creepage of the first model.
 over_theory() {
-    "$python" - "$1" "$2" <<'END'
+    "$python" -S - "$1" "$2" <<'END'
 import json, sys
 summary = json.load(open(sys.argv[1]))
 theory = next(one for one in summary["theories"] if one["theory"] == sys.argv[2])
@@ -78,7 +78,7 @@ refused "no atlas is about laws of friction other than Coulomb's and a shear str
     --set friction.coefficient=0.1
 refused "no atlas is about layers under a shear strength" predict "$lens" --set substrate.thickness=4mm
 "$program" predict "$lens" --json >maps.json || complain "no prediction under a strength"
-"$python" - maps.json <<'END' || complain "predicted: $(cat maps.json)"
+"$python" -S - maps.json <<'END' || complain "predicted: $(cat maps.json)"
 import json, math, sys
 models = json.load(open(sys.argv[1]))["models"]
 springs, bem = models["mdr"], models["bem"]

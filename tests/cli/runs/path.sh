@@ -12,9 +12,9 @@ printf 'normal_force [N], tangential_force_x [N]\n0, 0\n20, 4\n15, 6\n15, -3\n25
 "$program" run from_file.toml --set output.vtk=quarters --output file --quiet
 # 1. The same table in the case: the same numbers; the resolved case reproduces them.
 "$program" run from_file.toml --set 'path.table="normal_force [N], tangential_force_x [N]\n0, 0\n20, 4\n15, 6\n15, -3\n25, 2"' \
-    --output table --quiet
+    --output table --quiet --no-report
 cmp file/bem/history.csv table/bem/history.csv || complain "a table in the case differs from one in a file"
-"$program" run file/case.toml --output again --quiet
+"$program" run file/case.toml --output again --quiet --no-report
 cmp file/mdr/history.csv again/mdr/history.csv || complain "the resolved case does not reproduce the run"
 # 2. Surfaces of the rows that have a contact, and a report about the path alone.
 [ "$(od -An -j4 -N4 -tu4 --endian=big file/bem/surface.ex2)" -eq 4 ] || complain "not one surface for each row"
@@ -22,7 +22,7 @@ grep -q "At the end of the path the shift is" file/report.html || complain "the 
 for claim in "u_stat = " "The tangential force shifts" "pressed without a tangential force" "expected"; do
     ! sed 's/<script.*//' file/report.html | grep -q "$claim" || complain "the report says '$claim' of a path"
 done
-"$python" - <<'END' || complain "summary.json: static values of a path"
+"$python" -S - <<'END' || complain "summary.json: static values of a path"
 import json
 models = json.load(open("file/summary.json"))["models"]
 assert all(m["static_shift_m"] is None and m["final_shift_m"] > 0 for m in models.values())
@@ -32,7 +32,7 @@ END
 cp from_file.toml pulled.toml
 printf 'normal_force [N], tangential_force_x [N]\n20, 0\n20, 4\n' >loads.csv
 "$program" refine pulled.toml --models bem --quiet --output refined >out 2>&1 || complain "refine: $(cat out)"
-"$python" - <<'END' || complain "refine does not follow the end of a path: $(cat out)"
+"$python" -S - <<'END' || complain "refine does not follow the end of a path: $(cat out)"
 import json, re
 mu = float(re.search(r"coefficient = ([0-9.]+)", open("pulled.toml").read())[1])
 found = json.load(open("refined/refinement.json"))["quantities"]["final_shift_ratio"]

@@ -68,7 +68,7 @@ grep -q "The models get what was recorded: F_N from .* (the case states 21.0 N);
     complain "the answer does not tell the forces: $(cat with.txt)"
 ! grep -q "what was recorded" without.txt || complain "it tells forces that nobody recorded"
 grep -q 'Loads that the models follow' with/report.html || complain "the report does not show the loads"
-"$python" - <<'END' || complain "the models do not get what was recorded"
+"$python" -S - <<'END' || complain "the models do not get what was recorded"
 import json
 def differences(name):
     document = json.load(open(name + "/experiment.json"))

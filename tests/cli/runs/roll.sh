@@ -17,7 +17,7 @@ grep -q '^Vermeulen and Johnson ' out || complain "the terminal lacks a theory: 
 
 # numbers FOLDER: name, creepage and force over mu F_N of each model, and of each closed form.
 numbers() {
-    "$python" - "$1/summary.json" <<'END'
+    "$python" -S - "$1/summary.json" <<'END'
 import json, sys
 found = json.load(open(sys.argv[1]))
 for model in found["models"]:

@@ -15,7 +15,7 @@ roll() {
 # expect CONDITION: in Python, of the summary s, the first model's steady state m and its resistance
 # over the normal force w; theory(list, name) is the entry of a theory.
 expect() {
-    "$python" -c "
+    "$python" -S -c "
 import json
 s = json.load(open('summary.json'))
 m = s['models'][0]['steady']

@@ -5,7 +5,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
 case_file=$source_dir/examples/cases/rolling_temperature.toml
 
 # value FOLDER KEY: of the steady state, or of what its temperatures rest on.
-value() { "$python" -c "import json, sys; m = json.load(open('$1/summary.json'))['models'][0]; print(m['steady'].get('$2', (m['heat'] or {}).get('$2')))"; }
+value() { "$python" -S -c "import json, sys; m = json.load(open('$1/summary.json'))['models'][0]; print(m['steady'].get('$2', (m['heat'] or {}).get('$2')))"; }
 # near VALUE EXPECTED TOLERANCE
 near() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { exit !((a - b) ^ 2 <= t ^ 2) }'; }
 

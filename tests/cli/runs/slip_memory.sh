@@ -37,7 +37,7 @@ if has_fem; then
     run yield.toml --set models='["bem-layer", "fem"]' --set 'substrate.thickness="12 mm"' --set bem.cells_per_radius=8 \
         --set path.table='"indentation [mm], shift_x [um], shift_y [um]\n0.3, 0, 0\n0.3, 150, 0"' --set path.steps=3 --no-report --output layer ||
         complain "a layer: $(cat told.txt)"
-    "$python" - <<'PYTHON' || complain "fem and bem-layer differ"
+    "$python" -S - <<'PYTHON' || complain "fem and bem-layer differ"
 import csv
 end = {m: list(csv.DictReader(open(f"layer/{m}/history.csv")))[-1] for m in ("bem-layer", "fem")}
 ratio = float(end["fem"]["tangential_force_x_N"]) / float(end["bem-layer"]["tangential_force_x_N"])

@@ -8,7 +8,7 @@ case_file=$source_dir/examples/cases/fretting_cylinder.toml
     complain "$(cat out.txt)"
 
 # Johnson (1985), eq. 4.43 and 4.45; Nowell and Hills (1987).
-"$python" - out/summary.json <<'PYTHON' || complain "$(cat out/summary.json)"
+"$python" -S - out/summary.json <<'PYTHON' || complain "$(cat out/summary.json)"
 import json, math, sys
 
 found = json.load(open(sys.argv[1]))["models"]["bem"]["strength"]
@@ -30,7 +30,7 @@ sed -e 's/^tangential_ratio.*/shift_amplitude = "1 um"/' "$case_file" >shifted.t
 for one in "$case_file" oscillating.toml shifted.toml; do
     "$program" check "$one" --json >"$(basename "$one").json" || complain "check $one"
 done
-"$python" - out/summary.json "$(basename "$case_file").json" oscillating.toml.json shifted.toml.json <<'PYTHON' || complain "check"
+"$python" -S - out/summary.json "$(basename "$case_file").json" oscillating.toml.json shifted.toml.json <<'PYTHON' || complain "check"
 import json, sys
 
 run, *checked = [json.load(open(name)) for name in sys.argv[1:]]
@@ -51,7 +51,7 @@ grep -q 'at the trailing edge' out/report.html || complain "no finding on the ed
 "$program" run "$source_dir/examples/cases/rig_sphere_parallel.toml" --models mdr --quiet --no-studies --no-report \
     --output ball --set contact.coupling=false --set substrate.poisson=0.3 --set load.tangential_ratio=0 --set 'substrate.yield_stress="1 MPa"' \
     >ball.txt 2>&1 || complain "$(cat ball.txt)"
-"$python" - ball/summary.json <<'PYTHON' || complain "$(cat ball/summary.json)"
+"$python" -S - ball/summary.json <<'PYTHON' || complain "$(cat ball/summary.json)"
 import json, sys
 
 model = json.load(open(sys.argv[1]))["models"]["mdr"]

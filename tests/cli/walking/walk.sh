@@ -107,7 +107,7 @@ grep -q 'Slides steadily' loading/report.html && complain "loading: slides stead
 # 5. Dimensions: tau = sqrt(m/k_x) of check, time in s.
 walk rig walking_rig_set_5 --set "time.duration=0.1 s" --no-report
 tau=$("$program" check "$cases/walking_rig_set_5.toml" --json |
-    "$python" -c 'import json, sys; print(json.load(sys.stdin)["derived"]["tau"]["value"])')
+    "$python" -S -c 'import json, sys; print(json.load(sys.stdin)["derived"]["tau"]["value"])')
 near rig characteristic_time_s "$tau" 1e-9
 head -n 1 rig/motion.csv | grep -q time_s,spring_force_N || complain "rig: no SI units in motion.csv"
 awk -F, -v tau="$tau" 'END { exit !($10/tau - $1 < 1e-3 && $1 - $10/tau < 1e-3) }' rig/motion.csv ||
