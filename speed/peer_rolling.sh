@@ -50,7 +50,11 @@ for n in "${sizes[@]}"; do
         deck "$n" "$drive" ".9 .10 1 1. 1. 1. 1. .9" >"$folder/second.inp"
         for ((k = 0; k < repetitions; k++)); do
             ours+=("$(seconds "$benchmark" --benchmark_filter="driven_sphere/$drive/$n\$" --benchmark_min_time=1e-9)")
-            F=$(grep -o 'force=[^ ]*' "$folder/out.txt" || echo "force=?")
+            if ! F=$(grep -o 'force=[^ ]*' "$folder/out.txt"); then
+                echo "$benchmark: no benchmark driven_sphere/$drive/$n; build it anew" >&2
+                cat "$folder/out.txt" >&2
+                exit 1
+            fi
             for solver in first second; do theirs+=("$(seconds "$contact" 2 $solver) $solver"); done
         done
         best=$(for solver in first second; do
