@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "contact/base/gauss_legendre.h"
-#include "fem/block/quadratic_line.h"
+#include "fem/quadratic_line.h"
 
 namespace tricontact::fem {
 

@@ -136,10 +136,9 @@ class Block {
 
 std::vector<int> SparsePolynomial::largest_degrees() const {
     std::vector<int> largest(static_cast<std::size_t>(n_variables), 0);
-    for (std::size_t i = 0; i < degrees.size(); ++i) {
-        int& of_variable = largest[i % largest.size()];
-        of_variable = std::max<int>(of_variable, degrees[i]);
-    }
+    for (std::size_t t = 0; t < degrees.size(); t += largest.size())
+        for (std::size_t d = 0; d < largest.size(); ++d)
+            largest[d] = std::max<int>(largest[d], degrees[t + d]);
     return largest;
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "fem/block/quadratic_line.h"
 #include "fem/one_blas_thread.h"
+#include "fem/quadratic_line.h"
 
 extern "C" {
 void dsygv_(const int* type, const char* jobz, const char* uplo, const int* n, double* a,

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "fem/block/quadratic_line.h"
 #include "fem/finite_strain/lanes.h"
+#include "fem/quadratic_line.h"
 
 // Sum factorisation (Orszag 1980): gradients at the 27 Gauss points by products with 3 x 3 matrices
 // along one direction after another, eight elements of a row along x side by side. Rows of elements
