@@ -73,7 +73,7 @@ TEST(FemRolledCells, StripsOnALayerAreThoseOfItsTransform) {
 
 // All components at all positions; elements of a quarter of a cell.
 TEST(FemRolledCells, CellsOnALayerAreThoseOfItsTransform) {
-    const double h = .2e-3;
+    const double h = .25e-3;
     const Case c = case_of("fem", "shape = \"sphere\"\n", h);
     const fem::CellResponse r = fem::body_cells(c, 0, nullptr);
     const bem::LayerInfluence exact(theory::layers_of("bem-layer", c), {}, h, h, 1.5 * r.n_x * h);
