@@ -35,28 +35,40 @@ struct Products {
 };
 
 Products filtered(const std::vector<double>& y, const NoiseKind& kind) {
+    constexpr double rounding = 1e-15;
     Products p;
     const double white = std::max(1 - kind.share, least_white);
     double variance = kind.share;  // of the state before the sample is seen
+    double weight = 0, log_innovation = 0, taken = 0, left = 0;
+    bool at_rest = false;  // from where on the variance stays
     std::array<double, 3> state{};
     const double scale = 1 / static_cast<double>(y.size());
     for (std::size_t i = 0; i < y.size(); ++i) {
-        const double innovation = variance + white, gain = variance / innovation;
+        if (!at_rest) {
+            const double innovation = variance + white, gain = variance / innovation;
+            weight = 1 / innovation;
+            log_innovation = std::log(innovation);
+            taken = kind.kept * gain;
+            left = kind.kept * (1 - gain);
+            const double next =
+                kind.kept * left * variance + kind.share * (1 - kind.kept * kind.kept);
+            at_rest = std::abs(next - variance) <= rounding * variance;
+            variance = next;
+        }
         const std::array<double, 3> seen{y[i], 1., static_cast<double>(i) * scale};
         std::array<double, 3> e{};
         for (std::size_t c = 0; c < 3; ++c) {
             e[c] = seen[c] - state[c];
-            state[c] = kind.kept * (state[c] + gain * e[c]);
+            state[c] = left * state[c] + taken * seen[c];
         }
-        p.log_determinant += std::log(innovation);
-        p.yy += e[0] * e[0] / innovation;
-        p.y1 += e[0] * e[1] / innovation;
-        p.yt += e[0] * e[2] / innovation;
-        p.one_one += e[1] * e[1] / innovation;
-        p.one_t += e[1] * e[2] / innovation;
-        p.tt += e[2] * e[2] / innovation;
-        variance = kind.kept * kind.kept * variance * (1 - gain) +
-                   kind.share * (1 - kind.kept * kind.kept);
+        p.log_determinant += log_innovation;
+        const double y_weighted = weight * e[0], one_weighted = weight * e[1];
+        p.yy += y_weighted * e[0];
+        p.y1 += y_weighted * e[1];
+        p.yt += y_weighted * e[2];
+        p.one_one += one_weighted * e[1];
+        p.one_t += one_weighted * e[2];
+        p.tt += weight * e[2] * e[2];
     }
     return p;
 }
