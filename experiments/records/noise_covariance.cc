@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "contact/base/root.h"
 #include "statistics/estimate.h"
 
 namespace tricontact::experiments {
@@ -184,18 +185,19 @@ std::vector<Fitted> probabilities(const std::vector<double>& y) {
 }  // namespace
 
 double coverage_factor(const std::vector<PossibleError>& possible, double confidence) {
-    double low = 0, high = 0;
-    constexpr double far = 10;
+    constexpr double far = 10, impossible = 1e-18;
+    constexpr int bits = 40;
+    double high = 0;
     for (const PossibleError& error : possible) high = std::max(high, far * error.ratio);
-    constexpr int bisections = 40;
-    for (int i = 0; i < bisections; ++i) {
-        const double factor = (low + high) / 2;
+    if (high == 0) return 0;
+    const auto too_often = [&](double factor) {
         double beyond = 0;
         for (const auto& [ratio, probability] : possible)
-            beyond += probability * std::erfc(factor / (std::sqrt(2.) * ratio));
-        (beyond > 1 - confidence ? low : high) = factor;
-    }
-    return high;
+            if (probability > impossible)
+                beyond += probability * std::erfc(factor / (std::sqrt(2.) * ratio));
+        return beyond - (1 - confidence);
+    };
+    return contact::bracketed_root(too_often, 0., high, bits);
 }
 
 NoiseCovariance noise_covariance(const std::vector<double>& values) {
@@ -219,8 +221,10 @@ NoiseCovariance noise_covariance(const std::vector<double>& values) {
     int low = 1, high = std::max(1, static_cast<int>(n) - 2);
     while (low < high) {
         const int between = (low + high + 1) / 2;
-        (statistics::student_t(.95, between) >= factor ? low : high) =
-            statistics::student_t(.95, between) >= factor ? between : between - 1;
+        if (statistics::student_t(.95, between) >= factor)
+            low = between;
+        else
+            high = between - 1;
     }
     result.degrees_of_freedom = low;
     return result;
