@@ -48,7 +48,7 @@ int periods(const History& h) {
 TEST(SettledRun, OfMdrHoldsTheExactShiftFromAFewPeriods) {
     for (const double distance : {.3, .1, 1e-2, 1e-3, 1e-4}) {
         Case c = near_limit(distance, 2000);
-        c.of<mdr::Settings>().springs = 1500;  // over 2 a + 2 W
+        c.of<mdr::Settings>().springs = 3000;  // over 2 a + 2 W
         const History brief = contact::run(c, *mdr::make_model(c));
         EXPECT_EQ(brief.verdict.state, State::shakedown);
         EXPECT_TRUE(brief.verdict.by_limit);
@@ -56,8 +56,8 @@ TEST(SettledRun, OfMdrHoldsTheExactShiftFromAFewPeriods) {
         const double exact =
             *theory::bed_settled_shift_ratio(c, amplitude, *c.load.tangential_ratio);
         const double settled = shift_ratio(brief) + brief.verdict.remaining;
-        // Kinks between the springs: dx^2/4 in f at dx = a/600, and 1/distance^(1/2) in u.
-        const double bed = 7.2e-7 / std::sqrt(distance);
+        // Kinks between the springs: dx^2/4 in f at dx = a/1200, and 1/distance^(1/2) in u.
+        const double bed = 1.8e-7 / std::sqrt(distance);
         EXPECT_NEAR(settled, exact, brief.verdict.remaining_error + bed) << distance;
         c.rolling->periods = 10 * periods(brief);
         c.rolling->run_all = true;
