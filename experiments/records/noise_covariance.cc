@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "contact/base/root.h"
 #include "statistics/estimate.h"
 
 namespace tricontact::experiments {
@@ -35,28 +36,40 @@ struct Products {
 };
 
 Products filtered(const std::vector<double>& y, const NoiseKind& kind) {
+    constexpr double rounding = 1e-15;
     Products p;
     const double white = std::max(1 - kind.share, least_white);
     double variance = kind.share;  // of the state before the sample is seen
+    double weight = 0, log_innovation = 0, taken = 0, left = 0;
+    bool at_rest = false;  // from where on the variance stays
     std::array<double, 3> state{};
     const double scale = 1 / static_cast<double>(y.size());
     for (std::size_t i = 0; i < y.size(); ++i) {
-        const double innovation = variance + white, gain = variance / innovation;
+        if (!at_rest) {
+            const double innovation = variance + white, gain = variance / innovation;
+            weight = 1 / innovation;
+            log_innovation = std::log(innovation);
+            taken = kind.kept * gain;
+            left = kind.kept * (1 - gain);
+            const double next =
+                kind.kept * left * variance + kind.share * (1 - kind.kept * kind.kept);
+            at_rest = std::abs(next - variance) <= rounding * variance;
+            variance = next;
+        }
         const std::array<double, 3> seen{y[i], 1., static_cast<double>(i) * scale};
         std::array<double, 3> e{};
         for (std::size_t c = 0; c < 3; ++c) {
             e[c] = seen[c] - state[c];
-            state[c] = kind.kept * (state[c] + gain * e[c]);
+            state[c] = left * state[c] + taken * seen[c];
         }
-        p.log_determinant += std::log(innovation);
-        p.yy += e[0] * e[0] / innovation;
-        p.y1 += e[0] * e[1] / innovation;
-        p.yt += e[0] * e[2] / innovation;
-        p.one_one += e[1] * e[1] / innovation;
-        p.one_t += e[1] * e[2] / innovation;
-        p.tt += e[2] * e[2] / innovation;
-        variance = kind.kept * kind.kept * variance * (1 - gain) +
-                   kind.share * (1 - kind.kept * kind.kept);
+        p.log_determinant += log_innovation;
+        const double y_weighted = weight * e[0], one_weighted = weight * e[1];
+        p.yy += y_weighted * e[0];
+        p.y1 += y_weighted * e[1];
+        p.yt += y_weighted * e[2];
+        p.one_one += one_weighted * e[1];
+        p.one_t += one_weighted * e[2];
+        p.tt += weight * e[2] * e[2];
     }
     return p;
 }
@@ -172,18 +185,19 @@ std::vector<Fitted> probabilities(const std::vector<double>& y) {
 }  // namespace
 
 double coverage_factor(const std::vector<PossibleError>& possible, double confidence) {
-    double low = 0, high = 0;
-    constexpr double far = 10;
+    constexpr double far = 10, impossible = 1e-18;
+    constexpr int bits = 40;
+    double high = 0;
     for (const PossibleError& error : possible) high = std::max(high, far * error.ratio);
-    constexpr int bisections = 40;
-    for (int i = 0; i < bisections; ++i) {
-        const double factor = (low + high) / 2;
+    if (high == 0) return 0;
+    const auto too_often = [&](double factor) {
         double beyond = 0;
         for (const auto& [ratio, probability] : possible)
-            beyond += probability * std::erfc(factor / (std::sqrt(2.) * ratio));
-        (beyond > 1 - confidence ? low : high) = factor;
-    }
-    return high;
+            if (probability > impossible)
+                beyond += probability * std::erfc(factor / (std::sqrt(2.) * ratio));
+        return beyond - (1 - confidence);
+    };
+    return contact::bracketed_root(too_often, 0., high, bits);
 }
 
 NoiseCovariance noise_covariance(const std::vector<double>& values) {
@@ -207,8 +221,10 @@ NoiseCovariance noise_covariance(const std::vector<double>& values) {
     int low = 1, high = std::max(1, static_cast<int>(n) - 2);
     while (low < high) {
         const int between = (low + high + 1) / 2;
-        (statistics::student_t(.95, between) >= factor ? low : high) =
-            statistics::student_t(.95, between) >= factor ? between : between - 1;
+        if (statistics::student_t(.95, between) >= factor)
+            low = between;
+        else
+            high = between - 1;
     }
     result.degrees_of_freedom = low;
     return result;

@@ -36,7 +36,7 @@ TEST(BemGridMemory, NeedIsPredicted) {
         expect_in_process([poisson] {
             const contact::Case first = case_of("8", poisson);
             contact::run(first, *make_model(first, 1, Body::half_space), {});
-            const contact::Case c = case_of("90", poisson);
+            const contact::Case c = case_of("75", poisson);
             const double before = status("VmRSS:");
             std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins again
             const auto model = make_model(c, 1, Body::half_space);

@@ -269,8 +269,8 @@ TEST(AdhesiveHysteresisSlow, WorkOfALoopIsLost) {
         auto before = model->advance(step);
         lost += before.released_energy;
         const auto go = [&](double from, double to) {
-            for (int k = 1; k <= 300; ++k) {
-                step.normal.value = from + (to - from) * k / 300;
+            for (int k = 1; k <= 150; ++k) {
+                step.normal.value = from + (to - from) * k / 150;
                 const auto now = model->advance(step);
                 if (now.contact_area > 0 || before.contact_area == 0)
                     done += (now.normal_force + before.normal_force) / 2 *

@@ -128,7 +128,7 @@ TEST(PolynomialFit, FindsThePolynomialAndItsTerms) {
 void expect_convergence(const Function& f, int n_variables, double factor) {
     double before = std::numeric_limits<double>::infinity();
     for (const std::uint32_t n : {50U, 200U, 800U}) {
-        if (n > 200 && n_variables > 3) break;  // seconds each
+        if (n > 200 && n_variables > 2) break;  // seconds each
         const PolynomialFit fit = fitted(f, n, n_variables);
         const double error = fresh_rms(fit, f);
         EXPECT_LT(error, std::max(1e-13, before / factor)) << n << " points";

@@ -106,7 +106,8 @@ int iterations(double size, double bulk_ratio) {
 TEST(BlockSolverSlow, IterationsDependNeitherOnSizeNorOnBulkModulus) {
     std::vector<int> counts;
     for (const double size : {1e-3, .5e-3, .25e-3})
-        for (const double ratio : {1e2, 1e6, 1e15}) counts.push_back(iterations(size, ratio));
+        for (const double ratio : {1e2, 1e15}) counts.push_back(iterations(size, ratio));
+    counts.push_back(iterations(.5e-3, 1e6));
     const auto [least, most] = std::ranges::minmax(counts);
     EXPECT_LE(most - least, 4);  // 2 about their middle
     EXPECT_LE(most, 36);
