@@ -73,6 +73,38 @@ std::vector<T> all_rows(const std::vector<T>& half, int n_columns, bool is_odd) 
 
 }  // namespace
 
+SurfaceView::SurfaceView(const Surface& s)
+    : layout(s.layout),
+      n_x(s.n_x),
+      n_y(s.n_y),
+      first(s.first),
+      spacing(s.spacing),
+      offset(s.offset),
+      node_x(s.node_x),
+      node_y(s.node_y),
+      quads(s.quads),
+      normal_traction(s.normal_traction),
+      tension(s.tension),
+      separation_work(s.separation_work),
+      tangential_traction_x(s.tangential_traction_x),
+      tangential_traction_y(s.tangential_traction_y),
+      friction_bound(s.friction_bound),
+      displacement_x(s.displacement_x),
+      displacement_y(s.displacement_y),
+      displacement_z(s.displacement_z),
+      gap(s.gap),
+      slip_x(s.slip_x),
+      slip_y(s.slip_y),
+      dissipation(s.dissipation),
+      slip_path(s.slip_path),
+      friction_work(s.friction_work),
+      contact_state(s.contact_state),
+      normal_traction_consistent(s.normal_traction_consistent),
+      tangential_traction_x_consistent(s.tangential_traction_x_consistent),
+      tangential_traction_y_consistent(s.tangential_traction_y_consistent),
+      normal_line_load(s.normal_line_load),
+      tangential_line_load(s.tangential_line_load) {}
+
 std::vector<double> mirrored_rows(const std::vector<double>& half, int n_x, bool is_odd) {
     return all_rows(half, n_x, is_odd);
 }

@@ -8,6 +8,7 @@
 #include "contact/bodies/indenter.h"
 #include "contact/case.h"
 #include "contact/friction/friction_law.h"
+#include "contact/mirrored_surface.h"
 #include "contact/model.h"
 #include "contact/solvers/pull_off.h"
 #include "contact/solvers/staggered_solver.h"
@@ -19,7 +20,7 @@ namespace tricontact::contact {
 /// surface points keep their displacement when the indenter rolls away from them.
 ///
 /// How a step is solved: StaggeredSolver.
-class SurfaceModel final : public Model, public Wearable {
+class SurfaceModel final : public Model, public Wearable, public ShowsSurface {
   public:
     /// `tolerance` [-]: see StaggeredSolver.
     SurfaceModel(std::string name, const Substrate& substrate,
@@ -66,6 +67,7 @@ class SurfaceModel final : public Model, public Wearable {
     Scales scales() const override;
     std::optional<PullOff> pull_off() const override;
     Surface surface() const override;
+    bool show(const Look& look) const override;
     std::vector<ContactState> contact_states() const override;
     double limit_tangential_ratio() const override;
     void start_limit() override {
@@ -101,6 +103,11 @@ class SurfaceModel final : public Model, public Wearable {
                                                slip_.at(i))
                              : work_[i];
     }
+    /// What a surface tells that is no field of the solution, at the points.
+    struct Told {
+        std::vector<double> gap, slip_x, slip_y, dissipation, separation_work;
+    };
+    Told told() const;
     StepRecord record(const LoadStep& step) const;
     std::optional<PullOff> pulled_off() const;
     void audit_attracted(const LoadStep& step);

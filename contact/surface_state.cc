@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
@@ -27,6 +28,25 @@ struct Nearest {
         return *this;
     }
 };
+
+/// Where the points of a surface are. Whether fields at them are of the half of it that has y >= 0:
+/// a line of springs in the plane of symmetry is no grid and has no other side, nodes are mirrored
+/// otherwise.
+template <class AnySurface>
+bool place(const ContactPoints& points, const Vector2& offset, AnySurface& s) {
+    s.layout = points.quads.empty() ? Surface::Layout::grid : Surface::Layout::nodes;
+    s.n_x = points.n_x;
+    s.n_y = points.n_y;
+    s.first = points.first;
+    s.spacing = points.spacing;
+    s.offset = offset;
+    const bool is_half = points.mirrored && points.n_x > 0 && s.layout == Surface::Layout::grid;
+    if (is_half) {
+        s.first[1] = -(s.n_y - 1) * s.spacing[1];
+        s.n_y = 2 * s.n_y - 1;
+    }
+    return is_half;
+}
 
 }  // namespace
 
@@ -104,25 +124,38 @@ std::optional<PullOff> SurfaceModel::pulled_off() const {
                                   hardest_);
 }
 
+SurfaceModel::Told SurfaceModel::told() const {
+    const NormalSolution& normal = *now().normal;
+    const std::size_t n = now().bound.size();
+    Told told;
+    for (auto* field : {&told.gap, &told.slip_x, &told.slip_y, &told.dissipation})
+        *field = large_field(n, substrate_->compliance().n_threads());
+    const std::vector<double>& height = solver_->coupling().bare_height();
+    const std::vector<double>& down = now().displacement.down;
+    blocks(n).for_points([&](std::size_t i) {
+        told.gap[i] = height[i] + down[i] - normal.indentation;
+        const Vector2 slip = this->slip(i);
+        told.slip_x[i] = slip[0];
+        told.slip_y[i] = slip[1];
+        told.dissipation[i] = friction_work(i);
+    });
+    if (normal.attracts()) told.separation_work = solver_->adhesive()->separation_work(told.gap);
+    return told;
+}
+
 Surface SurfaceModel::surface() const {
     const ContactPoints& points = this->points();
     const ContactSolution& solution = now();
     const NormalSolution& normal = *solution.normal;
-    const std::size_t n = solution.bound.size();
     const int n_threads = substrate_->compliance().n_threads();
     Surface s;
-    s.layout = points.quads.empty() ? Surface::Layout::grid : Surface::Layout::nodes;
-    s.n_x = points.n_x;
-    s.n_y = points.n_y;
-    s.first = points.first;
-    s.spacing = points.spacing;
-    s.offset = solution.offset;
-    // A line of springs in the plane of symmetry is no grid and has no other side.
-    const bool has_other_rows =
-        points.mirrored && points.n_x > 0 && s.layout == Surface::Layout::grid;
+    const bool has_other_rows = place(points, solution.offset, s);
     const auto copy = [&](const std::vector<double>& field, bool is_odd = false) {
         return has_other_rows ? mirrored_rows(field, points.n_x, is_odd)
                               : large_copy(field, n_threads);
+    };
+    const auto take = [&](std::vector<double>& field, bool is_odd = false) {
+        return has_other_rows ? mirrored_rows(field, points.n_x, is_odd) : std::move(field);
     };
     s.normal_traction = copy(normal.pressure);
     s.tangential_traction_x = copy(solution.tangential.traction.x);
@@ -131,26 +164,17 @@ Surface SurfaceModel::surface() const {
     s.displacement_x = copy(solution.displacement.in_surface.x);
     s.displacement_y = copy(solution.displacement.in_surface.y, true);
     s.displacement_z = copy(solution.displacement.down);
-    for (auto* field : {&s.gap, &s.slip_x, &s.slip_y, &s.dissipation})
-        *field = large_field(n, n_threads);
-    const std::vector<double>& height = solver_->coupling().bare_height();
     if (normal.attracts()) s.tension = copy(normal.tension);
-    blocks(n).for_points([&](std::size_t i) {
-        s.gap[i] = height[i] + solution.displacement.down[i] - normal.indentation;
-        const Vector2 told = slip(i);
-        s.slip_x[i] = told[0];
-        s.slip_y[i] = told[1];
-        s.dissipation[i] = friction_work(i);
-    });
-    if (normal.attracts()) s.separation_work = copy(solver_->adhesive()->separation_work(s.gap));
+    Told told = this->told();
+    s.gap = take(told.gap);
+    s.slip_x = take(told.slip_x);
+    s.slip_y = take(told.slip_y, true);
+    s.dissipation = take(told.dissipation);
+    s.separation_work = take(told.separation_work);
     if (has_other_rows) {
-        for (auto* field : {&s.gap, &s.slip_x, &s.dissipation}) *field = copy(*field);
-        s.slip_y = copy(s.slip_y, true);
         s.slip_path = copy(slip_path_);
         s.friction_work = copy(friction_work_);
         s.contact_state = mirrored_rows(contact_state_, points.n_x);
-        s.first[1] = -(s.n_y - 1) * s.spacing[1];
-        s.n_y = 2 * s.n_y - 1;
         return s;
     }
     s.slip_path = slip_path_;
@@ -168,6 +192,33 @@ Surface SurfaceModel::surface() const {
     s.tangential_traction_y_consistent =
         compliance.consistent_traction(s.tangential_traction_y, true);
     return points.mirrored ? mirrored(std::move(s)) : s;
+}
+
+bool SurfaceModel::show(const Look& look) const {
+    if (!points().quads.empty()) return false;
+    const ContactSolution& solution = now();
+    const NormalSolution& normal = *solution.normal;
+    const Told told = this->told();
+    SurfaceView s;
+    s.is_half = place(points(), solution.offset, s);
+    s.normal_traction = normal.pressure;
+    s.tangential_traction_x = solution.tangential.traction.x;
+    s.tangential_traction_y = solution.tangential.traction.y;
+    s.friction_bound = solution.bound;
+    s.displacement_x = solution.displacement.in_surface.x;
+    s.displacement_y = solution.displacement.in_surface.y;
+    s.displacement_z = solution.displacement.down;
+    if (normal.attracts()) s.tension = normal.tension;
+    s.separation_work = told.separation_work;
+    s.gap = told.gap;
+    s.slip_x = told.slip_x;
+    s.slip_y = told.slip_y;
+    s.dissipation = told.dissipation;
+    s.slip_path = slip_path_;
+    s.friction_work = friction_work_;
+    s.contact_state = contact_state_;
+    look(s);
+    return true;
 }
 
 std::vector<ContactState> SurfaceModel::contact_states() const {

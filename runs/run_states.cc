@@ -90,10 +90,16 @@ bool RunStates::is_wanted(double phase, bool quarter) {
 }
 
 void RunStates::add_surface(const contact::StepRecord& record, contact::Model& model) {
-    surface_ = model.surface();
-    if (!indenter_) indenter_ = shown_indenter(case_, *surface_);
     const double time = time_of(record);
-    surfaces_.add(time, *surface_);
+    const auto add = [&](const contact::SurfaceView& surface) {
+        if (!indenter_) indenter_ = shown_indenter(case_, surface);
+        surfaces_.add(time, surface);
+    };
+    const auto* const shows = dynamic_cast<const contact::ShowsSurface*>(&model);
+    if (shows == nullptr || !shows->show(add)) {
+        surface_ = model.surface();
+        add(*surface_);
+    }
     indenters_.add(time, *indenter_, {record.offset, record.indentation, record.rotation});
 }
 

@@ -25,7 +25,7 @@ class RunStates {
                                    const contact::Progress& progress);
     /// The same after the last one.
     const contact::Subsurface* add_last(const contact::StepRecord& record, contact::Model& model);
-    /// Of the last step, where it was written.
+    /// Of the last step, where it was made to be written.
     const std::optional<contact::Surface>& surface() const { return surface_; }
     /// Of the last state whose inside was written.
     const std::optional<contact::Subsurface>& subsurface() const { return subsurface_; }

@@ -8,7 +8,7 @@
 
 namespace tricontact::runs {
 
-io::IndenterShape shown_indenter(const contact::Case& c, const contact::Surface& surface) {
+io::IndenterShape shown_indenter(const contact::Case& c, const contact::SurfaceView& surface) {
     constexpr double shown = 1.5;
     const auto [half_x, half_y] = contact::half_space_scales(c).half_widths;
     if (!c.is_cylindrical()) return {*c.make_indenter(), {shown * std::max(half_x, half_y)}};

@@ -85,7 +85,8 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
     if (c.of<io::Output>().vtk != io::Output::Vtk::none) {
         runs.show_steady = [&](const rolling::RollingHistory& history) {
             const contact::Surface& surface = history.surface;
-            auto fields = io::fields_of({time, 0}, surface);
+            io::ExodusFields fields;
+            io::begin_state(fields, {time, 0}, surface);
             if (const auto& found = history.temperatures) {
                 fields.add_scalar("temperature_indenter_degC", found->indenter, surface.size());
                 fields.add_scalar("temperature_substrate_degC", found->substrate, surface.size());

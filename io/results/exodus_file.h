@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "contact/compliances/interior.h"
-#include "contact/surface.h"
+#include "contact/mirrored_surface.h"
 #include "io/results/netcdf_file.h"
 #include "io/results/vtk_files.h"
 
@@ -38,13 +38,21 @@ struct ExodusMesh {
     std::string layout = {};  ///< "grid", "line", "nodes", or none
     bool operator==(const ExodusMesh&) const = default;
 };
-ExodusMesh mesh_of(const contact::Surface& surface);
+ExodusMesh mesh_of(const contact::SurfaceView& surface);
 ExodusMesh mesh_of(const contact::Interior& interior);
 /// Told by numbers of a grid alone; of other points only mesh_of tells it.
-bool is_grid_of(const ExodusMesh& mesh, const contact::Surface& surface);
+bool is_grid_of(const ExodusMesh& mesh, const contact::SurfaceView& surface);
 inline bool is_grid_of(const ExodusMesh&, const contact::Interior&) {
     return false;
 }
+
+/// How many points the file has for those whose values are given.
+struct ExodusRows {
+    int copies = 1;  ///< so many rows of points have the same values
+    /// Columns of a grid whose rows at y >= 0 are given, that at y = 0 first: those at y < 0 come
+    /// before them, with the other sign of y components. 0: all points are given.
+    int mirrored_columns = 0;
+};
 
 /// Fields of a state on such a mesh as the file has them: single precision, numbers of states and
 /// components that are 0 throughout as bytes. A vector is name_x, name_y, name_z, which readers put
@@ -56,12 +64,12 @@ class ExodusFields {
         std::string name;
         bool is_byte, is_of_elements;
         std::size_t n_bytes;
-        std::unique_ptr<char[]> bytes;  ///< none: zeros
+        const char* bytes;  ///< of these ExodusFields; null: zeros
     };
-    /// `copies`: so many rows of points have the same values.
-    explicit ExodusFields(int copies = 1) : copies_(copies) {}
+    /// Forgets all; the memory serves the next state.
+    void begin(const ExodusRows& rows);
 
-    // As those of VtkXml; all throw std::invalid_argument for another number of values.
+    // As those of VtkXml; all throw std::invalid_argument for another number of values than `n`.
     void add_scalar(std::string_view name, std::span<const double> values, std::size_t n);
     void add_vector(std::string_view name, const std::array<std::span<const double>, 3>& components,
                     std::size_t n, double z_sign = 1);
@@ -79,17 +87,31 @@ class ExodusFields {
     const std::vector<std::pair<std::string, double>>& numbers() const { return numbers_; }
 
   private:
+    /// Of a field, kept from state to state.
+    struct Memory {
+        std::unique_ptr<char[]> bytes;
+        std::size_t size = 0;
+    };
     void add_component(std::string name, const double* values, std::size_t stride, std::size_t n,
-                       double sign);
+                       double sign, bool is_odd = false);
     void add_zeros(std::string name, std::size_t n);
+    /// What is in memory(): one copy is there.
+    void add_copies(std::string name, bool is_byte, std::size_t once);
+    /// Of what is added next.
+    char* memory(std::size_t n_bytes);
+    /// Points that the file has for `n`: of one copy.
+    std::size_t n_once(std::size_t n) const {
+        return rows_.mirrored_columns > 0 ? 2 * n - static_cast<std::size_t>(rows_.mirrored_columns)
+                                          : n;
+    }
 
-    int copies_;
+    ExodusRows rows_;
     bool is_of_elements_ = false;
     std::vector<Field> fields_;
     std::vector<std::pair<std::string, double>> numbers_;
+    std::vector<Memory> memory_;
+    std::size_t n_used_ = 0;  // of the memory
 };
-ExodusFields fields_of(const Instant& instant, const contact::Surface& surface);
-ExodusFields fields_of(const Instant& instant, const contact::Interior& interior);
 
 /// Names and kinds of the fields of a file.
 struct ExodusNames {

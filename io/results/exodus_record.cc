@@ -93,7 +93,7 @@ const std::vector<std::string_view>& ExodusRecord::pieces(double time, const Exo
     for (std::size_t i = 0; i < names_.fields.size(); ++i) {
         const ExodusFields::Field* field = found_in(state, names_.fields[i], i);
         if (field != nullptr && field->bytes != nullptr)
-            add_field(i, field->is_byte, std::string_view(field->bytes.get(), field->n_bytes));
+            add_field(i, field->is_byte, std::string_view(field->bytes, field->n_bytes));
         else
             add_field(i, true, std::nullopt);
     }

@@ -119,6 +119,11 @@ void JournalledModel::remember(std::string_view entry) {
     }
 }
 
+bool JournalledModel::show(const Look& look) const {
+    const auto* const shows = dynamic_cast<const contact::ShowsSurface*>(model_.get());
+    return shows != nullptr && shows->show(look);
+}
+
 void JournalledModel::give_up(const std::string& what, const char* reason) {
     file_.reset();
     warn_(path_ + ": " + what + " (" + reason + "); a run that is killed starts again");

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "contact/mirrored_surface.h"
 #include "contact/model.h"
 #include "io/results/journal_file.h"
 
@@ -20,7 +21,7 @@ namespace tricontact::io {
 ///
 /// A journal that cannot be read or written never fails a run: it is said once, and the run goes on
 /// without.
-class JournalledModel final : public contact::Model {
+class JournalledModel final : public contact::Model, public contact::ShowsSurface {
   public:
     using Warning = std::function<void(const std::string&)>;
 
@@ -47,6 +48,7 @@ class JournalledModel final : public contact::Model {
     double step_accuracy() const override { return model_->step_accuracy(); }
     contact::Scales scales() const override { return model_->scales(); }
     contact::Surface surface() const override { return model_->surface(); }
+    bool show(const Look& look) const override;
     std::vector<contact::ContactState> contact_states() const override {
         return model_->contact_states();
     }

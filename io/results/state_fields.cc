@@ -7,58 +7,64 @@ namespace tricontact::io {
 
 namespace {
 
-/// Whether the surfaces touch. Those that attract each other do where the part q = p + s of the
-/// traction presses: the crack of a range 0 lies in the ring of tension around that.
-bool touches(const contact::Surface& s, std::size_t i) {
-    return s.tension.empty() ? s.contact_state[i] != contact::ContactState::open
-                             : s.normal_traction[i] + s.tension[i] > 0;
-}
+/// Whether the surfaces touch at a point. Those that attract each other do where the part q = p + s
+/// of the traction presses: the crack of a range 0 lies in the ring of tension around that.
+class Touch {
+  public:
+    explicit Touch(const contact::SurfaceView& s)
+        : state_(s.contact_state.data()),
+          traction_(s.normal_traction.data()),
+          tension_(s.tension.empty() ? nullptr : s.tension.data()) {}
+    bool operator()(std::size_t i) const {
+        return tension_ == nullptr ? state_[i] != contact::ContactState::open
+                                   : traction_[i] + tension_[i] > 0;
+    }
+
+  private:
+    const contact::ContactState* state_;
+    const double *traction_, *tension_;
+};
 
 /// 0 where the surface touches: what solvers leave there is their residual.
-std::vector<double> told_gap(const contact::Surface& s) {
-    std::vector<double> gap = s.gap;
+std::vector<double> told_gap(const contact::SurfaceView& s) {
+    std::vector<double> gap(s.gap.begin(), s.gap.end());
     const std::size_t n = std::min(gap.size(), s.contact_state.size());
-    const contact::ContactState* const states = s.contact_state.data();
+    const Touch touches(s);
     double* const told = gap.data();
-    if (s.tension.empty())
-        for (std::size_t i = 0; i < n; ++i)
-            told[i] = states[i] != contact::ContactState::open ? 0 : told[i];
-    else
-        for (std::size_t i = 0; i < n; ++i)
-            if (touches(s, i)) told[i] = 0;
+    for (std::size_t i = 0; i < n; ++i) told[i] = touches(i) ? 0 : told[i];
     return gap;
 }
 
 /// 0 apart, 1 attracted across a gap, 2 touching.
-std::vector<std::uint8_t> states_of_attraction(const contact::Surface& s) {
+std::vector<std::uint8_t> states_of_attraction(const contact::SurfaceView& s) {
     std::vector<std::uint8_t> states(s.tension.size());
-    for (std::size_t i = 0; i < states.size(); ++i)
-        states[i] = touches(s, i) ? 2 : s.tension[i] > 0;
+    const Touch touches(s);
+    for (std::size_t i = 0; i < states.size(); ++i) states[i] = touches(i) ? 2 : s.tension[i] > 0;
     return states;
 }
 
-void add_attraction(ExodusFields& out, const contact::Surface& s) {
+void add_attraction(ExodusFields& out, const contact::SurfaceView& s) {
     if (s.tension.empty()) return;
-    out.add_scalar("tension_Pa", s.tension, s.size());
-    out.add_scalar("separation_work_J_per_m2", s.separation_work, s.size());
-    out.add_bytes("attraction_state", states_of_attraction(s), s.size());
+    out.add_scalar("tension_Pa", s.tension, s.n_values());
+    out.add_scalar("separation_work_J_per_m2", s.separation_work, s.n_values());
+    out.add_bytes("attraction_state", states_of_attraction(s), s.n_values());
 }
 
 /// What some layouts have beside.
-void add_layout_fields(ExodusFields& out, const contact::Surface& s) {
-    out.add_scalar("normal_line_load_N_per_m", s.normal_line_load, s.size());
-    out.add_scalar("tangential_line_load_N_per_m", s.tangential_line_load, s.size());
-    out.add_scalar("normal_traction_consistent_Pa", s.normal_traction_consistent, s.size());
+void add_layout_fields(ExodusFields& out, const contact::SurfaceView& s) {
+    out.add_scalar("normal_line_load_N_per_m", s.normal_line_load, s.n_values());
+    out.add_scalar("tangential_line_load_N_per_m", s.tangential_line_load, s.n_values());
+    out.add_scalar("normal_traction_consistent_Pa", s.normal_traction_consistent, s.n_values());
     if (!s.tangential_traction_x_consistent.empty())
         out.add_vector("tangential_traction_consistent_Pa",
                        {s.tangential_traction_x_consistent, s.tangential_traction_y_consistent, {}},
-                       s.size());
+                       s.n_values());
 }
 
 }  // namespace
 
-void add_surface_fields(ExodusFields& out, const contact::Surface& s) {
-    const std::size_t n = s.size();
+void add_surface_fields(ExodusFields& out, const contact::SurfaceView& s) {
+    const std::size_t n = s.n_values();
     out.add_scalar("normal_traction_Pa", s.normal_traction, n);
     out.add_vector("tangential_traction_Pa", {s.tangential_traction_x, s.tangential_traction_y, {}},
                    n);
@@ -79,7 +85,7 @@ void add_surface_fields(ExodusFields& out, const contact::Surface& s) {
 }
 
 /// The state that has the largest share of each element, by Simpson's weights of its nodes.
-std::vector<std::uint8_t> states_of_quads(const contact::Surface& s) {
+std::vector<std::uint8_t> states_of_quads(const contact::SurfaceView& s) {
     constexpr std::array weights{1, 1, 1, 1, 4, 4, 4, 4, 16};  // over 36; VTK's order of nodes
     std::vector<std::uint8_t> states;
     for (const auto& quad : s.quads) {

@@ -99,7 +99,7 @@ std::vector<double> times_from_start(const std::vector<double>& times) {
 
 void StateSeries::clear() {
     n_files_ = 0;
-    mesh_ = {};
+    mesh_ = nullptr;
     names_ = {};
     layout_ = {};
     record_ = {};
@@ -113,21 +113,23 @@ std::string StateSeries::path(int number) const {
     return (std::filesystem::path(folder_) / (name_ + end + states_extension)).string();
 }
 
-void StateSeries::add(double time, const ExodusMesh& mesh, const ExodusFields& fields) {
-    if (n_files_ == 0 || (&mesh != &mesh_ && mesh != mesh_)) return begin_file(mesh, time, fields);
+void StateSeries::add(double time, const std::shared_ptr<const ExodusMesh>& mesh,
+                      const ExodusFields& fields) {
+    const bool is_new = n_files_ == 0 || (mesh != mesh_ && *mesh != *mesh_);
+    if (mesh != mesh_) mesh_ = mesh;
+    if (is_new) return begin_file(time, fields);
     take_more_names(fields);
     append(time, fields);
 }
 
 void StateSeries::lay_out() {
-    layout_ = exodus_layout(mesh_, names_, provenance_);
+    layout_ = exodus_layout(*mesh_, names_, provenance_);
     record_ = ExodusRecord(layout_, names_);
     file_ = nullptr;  // that will be replaced
 }
 
 // The first state comes with the header, at once. What an earlier run left of further files goes.
-void StateSeries::begin_file(const ExodusMesh& mesh, double time, const ExodusFields& fields) {
-    mesh_ = mesh;
+void StateSeries::begin_file(double time, const ExodusFields& fields) {
     names_ = {};
     names_.take(fields);
     lay_out();

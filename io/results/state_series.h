@@ -8,6 +8,7 @@
 
 #include "io/results/exodus_file.h"
 #include "io/results/exodus_record.h"
+#include "io/results/state_fields.h"
 
 namespace tricontact::io {
 
@@ -41,17 +42,22 @@ class StateSeries {
     /// field has another size than the mesh.
     template <class Fields>
     void add(double time, const Fields& fields) {
-        const ExodusFields values = fields_of({time_name_, time}, fields);
-        if (n_files_ > 0 && is_grid_of(mesh_, fields)) return add(time, mesh_, values);
-        add(time, mesh_of(fields), values);
+        begin_state(fields_, {time_name_, time}, fields);
+        if (n_files_ > 0 && is_grid_of(*mesh_, fields)) return add(time, mesh_, fields_);
+        add(time, mesh_of(fields), fields_);
     }
-    void add(double time, const ExodusMesh& mesh, const ExodusFields& fields);
+    void add(double time, ExodusMesh mesh, const ExodusFields& fields) {
+        add(time, std::make_shared<const ExodusMesh>(std::move(mesh)), fields);
+    }
+    /// The mesh is kept: one that comes again is not compared point by point.
+    void add(double time, const std::shared_ptr<const ExodusMesh>& mesh,
+             const ExodusFields& fields);
     /// All that was written in this file system is on the disk.
     void finish() const;
 
   private:
     std::string path(int number) const;
-    void begin_file(const ExodusMesh& mesh, double time, const ExodusFields& fields);
+    void begin_file(double time, const ExodusFields& fields);
     void take_more_names(const ExodusFields& fields);
     void append(double time, const ExodusFields& fields);
     /// Lays the file out for the names.
@@ -62,9 +68,10 @@ class StateSeries {
     std::string folder_, name_;
     Provenance provenance_;
     const char* time_name_;
+    ExodusFields fields_;  // of the last state, whose memory serves the next one
     int n_files_ = 0;
     // Of the file that is written.
-    ExodusMesh mesh_;
+    std::shared_ptr<const ExodusMesh> mesh_;
     ExodusNames names_;
     NetcdfLayout layout_;
     ExodusRecord record_;

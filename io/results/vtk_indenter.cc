@@ -36,17 +36,18 @@ bool is_finite(const Points& points) {
 }  // namespace
 
 IndenterShape::IndenterShape(const contact::Indenter& indenter, const Extent& extent) {
+    ExodusMesh mesh;
     double radius = extent.radius, half_length = extent.half_length;
-    mesh_.points = points_of(indenter, radius, half_length);
+    mesh.points = points_of(indenter, radius, half_length);
     constexpr int most_tries = 100;
-    for (int tries = 0; !is_finite(mesh_.points) && tries < most_tries; ++tries) {
+    for (int tries = 0; !is_finite(mesh.points) && tries < most_tries; ++tries) {
         radius *= 0.95;
         half_length *= 0.95;
-        mesh_.points = points_of(indenter, radius, half_length);
+        mesh.points = points_of(indenter, radius, half_length);
     }
     // Points of a radius, or of the strip's width.
     const int n_along = extent.half_length > 0 ? n_across + 1 : n_radial + 1;
-    const int n_rows = static_cast<int>(mesh_.points.size()) / n_along;
+    const int n_rows = static_cast<int>(mesh.points.size()) / n_along;
     ExodusBlock block{.name = "indenter", .element = "QUAD4", .nodes_per_element = 4};
     for (int j = 0; j + 1 < n_rows; ++j)
         for (int i = 0; i + 1 < n_along; ++i) {
@@ -54,24 +55,25 @@ IndenterShape::IndenterShape(const contact::Indenter& indenter, const Extent& ex
             block.nodes.insert(block.nodes.end(),
                                {corner, corner + 1, corner + n_along + 1, corner + n_along});
         }
-    mesh_.blocks = {std::move(block)};
+    mesh.blocks = {std::move(block)};
+    mesh_ = std::make_shared<const ExodusMesh>(std::move(mesh));
 }
 
-ExodusFields IndenterShape::moved(const Place& place, const Instant& instant) const {
+void IndenterShape::begin_state(ExodusFields& fields, const Place& place,
+                                const Instant& instant) const {
     const double cos = std::cos(place.rotation), sin = std::sin(place.rotation);
-    const std::size_t n = mesh_.points.size();
+    const std::size_t n = mesh_->points.size();
     std::array<std::vector<double>, 3> moved;
-    for (auto& component : moved) component.reserve(n);
-    for (const auto& [x, y, height] : mesh_.points) {
-        moved[0].push_back(place.offset[0] + x * cos - y * sin - x);
-        moved[1].push_back(place.offset[1] + x * sin + y * cos - y);
-        moved[2].push_back(-place.indentation);
+    for (auto& component : moved) component.resize(n, -place.indentation);
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto& [x, y, height] = mesh_->points[i];
+        moved[0][i] = place.offset[0] + x * cos - y * sin - x;
+        moved[1][i] = place.offset[1] + x * sin + y * cos - y;
     }
-    ExodusFields fields;
+    fields.begin({});
     fields.add_number(instant.name, instant.time);
     constexpr std::array names{"displacement_m_x", "displacement_m_y", "displacement_m_z"};
     for (std::size_t d = 0; d < 3; ++d) fields.add_scalar(names.at(d), moved.at(d), n);
-    return fields;
 }
 
 }  // namespace tricontact::io

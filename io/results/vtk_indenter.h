@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,13 +30,13 @@ class IndenterShape {
         auto operator<=>(const Place&) const = default;
     };
     /// The shape about the origin, z out of the substrate.
-    const ExodusMesh& mesh() const { return mesh_; }
+    const std::shared_ptr<const ExodusMesh>& mesh() const { return mesh_; }
     /// How its points have moved, as displacement_m, which ParaView's readers apply: in place, its
     /// height over the undeformed surface is h(x, y) - d.
-    ExodusFields moved(const Place& place, const Instant& instant) const;
+    void begin_state(ExodusFields& out, const Place& place, const Instant& instant) const;
 
   private:
-    ExodusMesh mesh_;  // points x, y, h
+    std::shared_ptr<const ExodusMesh> mesh_;  // points x, y, h
 };
 
 /// The indenter over the states of a surface.
@@ -47,11 +48,13 @@ class IndenterSeries {
 
     void clear() { series_.clear(); }
     void add(double time, const IndenterShape& shape, const IndenterShape::Place& place) {
-        series_.add(time, shape.mesh(), shape.moved(place, {time_name_, time}));
+        shape.begin_state(fields_, place, {time_name_, time});
+        series_.add(time, shape.mesh(), fields_);
     }
 
   private:
     StateSeries series_;
+    ExodusFields fields_;  // see StateSeries
     const char* time_name_;
 };
 
