@@ -15,6 +15,8 @@ class FocusedCompliance final : public Compliance {
 
     void focus(std::vector<std::size_t> points);
     void focus_on_all() { some_.clear(); }
+    /// To be told when `all` has changed: blocks stay where the points do.
+    void forget() { gathered_.clear(); }
     bool is_focused() const { return !some_.empty(); }
 
     const ContactPoints& points() const override { return all_.points(); }
@@ -36,6 +38,7 @@ class FocusedCompliance final : public Compliance {
 
     const Compliance& all_;
     std::vector<std::size_t> some_;
+    std::vector<std::size_t> gathered_;  // those of the blocks
     std::vector<double> normal_;   // lower triangle by columns, displacement over force [m/N]
     std::vector<double> coupled_;  // normal displacements over forces along x, then y, by columns
     mutable std::vector<double> force_, displacement_;

@@ -70,6 +70,7 @@ void StaggeredSolver::release() {
 }
 
 void StaggeredSolver::make_solvers() {
+    if (focused_) focused_->forget();
     normal_solver_.emplace(compliance(), 0.1 * tolerance_);
     tangential_solver_.emplace(compliance(), tolerance_);
 }
