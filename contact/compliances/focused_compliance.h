@@ -39,7 +39,7 @@ class FocusedCompliance final : public Compliance {
     const Compliance& all_;
     std::vector<std::size_t> some_;
     std::vector<std::size_t> gathered_;  // those of the blocks
-    std::vector<double> normal_;   // lower triangle by columns, displacement over force [m/N]
+    std::vector<double> normal_;         // lower triangle by columns, displacement over force [m/N]
     std::vector<double> coupled_;  // normal displacements over forces along x, then y, by columns
     mutable std::vector<double> force_, displacement_;
 };
