@@ -186,14 +186,22 @@ std::string NetcdfLayout::header(std::uint32_t n_records) const {
 }
 
 NetcdfReader::NetcdfReader(const std::string& path) : path_(path) {
-    constexpr std::size_t most_of_header = 1 << 20;
+    // Nearly all headers are short.
+    constexpr std::uint64_t usual_header = 1 << 16, longest_header = 1 << 20;  // [bytes]
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) refuse("is no file that can be read");
     file_.open(path, std::ios::binary);
     file_size_ = std::filesystem::file_size(path, error);
     if (!file_ || error) refuse("cannot be read");
-    const std::string head = read(0, std::min<std::uint64_t>(file_size_, most_of_header));
+    if (!parse(read(0, std::min(file_size_, usual_header))) &&
+        !parse(read(0, std::min(file_size_, longest_header))))
+        refuse("has a damaged header");
+    layout_.place();  // as it was written
+}
+
+bool NetcdfReader::parse(std::string_view head) {
     HeaderParser parser(head);
+    layout_ = {};
     if (parser.take(magic.size()) != magic) refuse("was not written by this program");
     n_records_ = parser.word();
     for (std::size_t n = parser.list(dimensions_tag); n > 0 && !parser.failed(); --n) {
@@ -214,8 +222,7 @@ NetcdfReader::NetcdfReader(const std::string& path) : path_(path) {
         parser.number<std::uint64_t>();
         layout_.variables.push_back(std::move(variable));
     }
-    if (parser.failed()) refuse("has a damaged header");
-    layout_.place();  // as it was written
+    return !parser.failed();
 }
 
 std::string NetcdfReader::bytes(std::string_view name, std::size_t record) {

@@ -115,6 +115,7 @@ class NetcdfReader {
     [[noreturn]] void refuse(const std::string& why) const;
 
   private:
+    bool parse(std::string_view head);  ///< of the file's header; false if that is longer
     std::string read(std::uint64_t at, std::uint64_t size);
 
     std::string path_;

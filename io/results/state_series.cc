@@ -23,28 +23,51 @@ class OpenFile {
     }
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
-    ~OpenFile() { ::close(descriptor_); }
+    ~OpenFile() {
+        // Gives back what was reserved. Where that fails it stays, beyond the end of the file.
+        [[maybe_unused]] int failed = 0;
+        if (reserved_ > end_) failed = ::ftruncate(descriptor_, static_cast<off_t>(end_));
+        ::close(descriptor_);
+    }
 
     void write(std::uint64_t at, std::string_view bytes) const { write_all(at, {&bytes, 1}); }
     /// A record at the end of the file. Long runs of zeros are left out, which the file then has as
     /// a hole; what it ends with is written.
-    void append(std::uint64_t at, std::span<const std::string_view> pieces) const {
+    void append(std::uint64_t at, std::span<const std::string_view> pieces) {
         constexpr std::size_t shortest_hole = 8192;  // two pages: one of them is whole
         std::size_t begin = 0;
+        end_ = at;
+        if (!has_holes_) reserve(at, pieces);
+        has_holes_ = false;
         for (std::size_t i = 0; i < pieces.size();) {
             std::size_t end = i, n_zeros = 0;
             for (; end < pieces.size() && ExodusRecord::is_zeros(pieces[end]); ++end)
                 n_zeros += pieces[end].size();
             if (end < pieces.size() && n_zeros >= shortest_hole) {
+                has_holes_ = true;
                 at = write_all(at, pieces.subspan(begin, i - begin)) + n_zeros;
                 begin = end;
             }
             i = std::max(end, i + 1);
         }
-        write_all(at, pieces.subspan(begin));
+        end_ = write_all(at, pieces.subspan(begin));
     }
 
   private:
+    /// Room on the disk for a long record and for more like it: blocks one by one cost more. The
+    /// size of the file stays. Where there is no room, writing says so.
+    void reserve(std::uint64_t at, std::span<const std::string_view> record) {
+        constexpr std::uint64_t at_once = 4 << 20, least = 1 << 16;  // [bytes]
+        std::uint64_t n_bytes = 0;
+        for (const std::string_view piece : record) n_bytes += piece.size();
+        if (n_bytes < least || at + n_bytes <= reserved_) return;
+#ifdef FALLOC_FL_KEEP_SIZE
+        const std::uint64_t n = std::max(at_once, n_bytes);
+        reserved_ = at + n;  // a failure may have reserved a part
+        [[maybe_unused]] const int failed = ::fallocate(
+            descriptor_, FALLOC_FL_KEEP_SIZE, static_cast<off_t>(at), static_cast<off_t>(n));
+#endif
+    }
     /// One after another; where they end.
     std::uint64_t write_all(std::uint64_t at, std::span<const std::string_view> pieces) const {
         std::vector<iovec> rest;
@@ -66,10 +89,14 @@ class OpenFile {
         }
         return at;
     }
-    [[noreturn]] void refuse() const { refuse_output(path_, "cannot be written", errno); }
+    [[noreturn]] void refuse() const {
+        refuse_output(path_, "cannot be written", errno);
+    }
 
     std::string path_;
     int descriptor_;
+    std::uint64_t end_ = 0, reserved_ = 0;  // of the records, of the room on the disk [bytes]
+    bool has_holes_ = false;                // the last record: then no room is reserved
 };
 
 std::vector<double> times_from_start(const std::vector<double>& times) {
@@ -171,8 +198,8 @@ void StateSeries::append(double time, const ExodusFields& fields) {
     const std::vector<double> shown = shown_with(time);
     times_.push_back(time);
     const std::size_t last = shown.size() - 1;
-    if (!file_) file_ = std::make_shared<const OpenFile>(path(n_files_));
-    const OpenFile& file = *file_;
+    if (!file_) file_ = std::make_shared<OpenFile>(path(n_files_));
+    OpenFile& file = *file_;
     const auto place_of = [&](std::size_t record) {
         return layout_.records_begin + record * layout_.record_size;
     };

@@ -75,9 +75,9 @@ class StateSeries {
     ExodusNames names_;
     NetcdfLayout layout_;
     ExodusRecord record_;
-    std::shared_ptr<const OpenFile> file_;  // from the second state on
-    std::vector<double> times_;             // as they were given
-    std::vector<double> shown_times_;       // see times_from_start
+    std::shared_ptr<OpenFile> file_;   // from the second state on
+    std::vector<double> times_;        // as they were given
+    std::vector<double> shown_times_;  // see times_from_start
 };
 
 /// Times that do not decrease, set apart, since ParaView shows one state at a time. The first state
