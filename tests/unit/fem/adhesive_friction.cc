@@ -48,7 +48,7 @@ double exact_radius(const AdhesiveBall& ball) {
 
 // The area to a quarter of a node's distance in its radius. A state that goes on from its bytes, at
 // another place, is what would have gone on.
-TEST(FemAdhesiveFriction, ShiftsOverTheAdhesiveAreaAndGoesOnFromItsState) {
+TEST(FemAdhesiveFrictionSlow, ShiftsOverTheAdhesiveAreaAndGoesOnFromItsState) {
     AdhesiveBall ball = pressed_ball(.4);
     Case& c = ball.c;
     c.rolling.emplace();

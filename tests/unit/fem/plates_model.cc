@@ -73,7 +73,7 @@ void expect_same(const contact::Scales& a, const contact::Scales& b, double with
 }
 
 // The model by symmetry is half of the body; its energy is that of one half.
-TEST(FemPlatesModel, EqualPlatesAreTheModelBySymmetry) {
+TEST(FemPlatesModelSlow, EqualPlatesAreTheModelBySymmetry) {
     for (const bool plane : {false, true})
         for (const auto& [below, above] :
              {std::pair(on_plane, under_plane), std::pair(on_layer, under_layer)}) {

@@ -140,7 +140,7 @@ void expect_convergence(const Function& f, int n_variables, double factor) {
     }
 }
 
-TEST(PolynomialFit, ConvergesOnAReciprocal) {
+TEST(PolynomialFitSlow, ConvergesOnAReciprocal) {
     for (int n_variables = 2; n_variables <= 4; ++n_variables)
         expect_convergence(
             [](std::span<const double> x) {
@@ -152,7 +152,7 @@ TEST(PolynomialFit, ConvergesOnAReciprocal) {
             n_variables, 3);
 }
 
-TEST(PolynomialFit, ConvergesOnAnExponential) {
+TEST(PolynomialFitSlow, ConvergesOnAnExponential) {
     for (int n_variables = 2; n_variables <= 4; ++n_variables)
         expect_convergence(
             [](std::span<const double> x) {
@@ -164,7 +164,7 @@ TEST(PolynomialFit, ConvergesOnAnExponential) {
 }
 
 // Even in each variable: neighbours of odd degree explain nothing, the next ones do.
-TEST(PolynomialFit, ConvergesOnRunges) {
+TEST(PolynomialFitSlow, ConvergesOnRunges) {
     for (int n_variables = 2; n_variables <= 3; ++n_variables)
         expect_convergence(
             [](std::span<const double> x) {

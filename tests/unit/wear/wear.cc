@@ -98,7 +98,7 @@ TEST(Wear, MdrReachesTheExactLimitProfile) {
 
 // The edges of stick zone and worn ring are cut by square cells: O(h). With nu = 0 all slip is
 // along x, as the limit takes it.
-TEST(Wear, BemReachesItToTheOrderOfItsGrid) {
+TEST(WearSlow, BemReachesItToTheOrderOfItsGrid) {
     for (const int cells : {8, 16}) {
         const auto c = io::parse_case(
             steel_ball(shift, worn_out, "[bem]\ncells_per_radius = " + std::to_string(cells)),

@@ -122,7 +122,7 @@ TEST(WearLayer, OfAThickLayerTheLimitIsThatOfTheHalfSpace) {
 }
 
 // Volumes of the two are sums, and k_w/mu times their work.
-TEST(WearLayer, JumpsKeepTheirBound) {
+TEST(WearLayerSlow, JumpsKeepTheirBound) {
     for (const std::string table :
          {"indentation [mm], shift_x [mm]\n0.5, 0\n0.5, 0.2\n0.5, -0.2\n0.5, 0.2\n",
           "normal_force [N], tangential_force_x [N]\n30, 0\n30, 10\n30, -10\n30, 10\n"}) {

@@ -93,7 +93,7 @@ TEST(LawComparison, CoulombsLawIsNamedOnceMoreIsBounded) {
 }
 
 // Of three numbers, none at an end, measured within .05 %: all of fewer numbers are excluded.
-TEST(LawComparison, ThreeNumbersAreFoundOfExactTables) {
+TEST(LawComparisonSlow, ThreeNumbersAreFoundOfExactTables) {
     const LawRig rig(radius, young,
                      [](double p) { return 1e5 + .6 * 2e5 * std::pow(p / 2e5, 1.7); });
     const auto laws =
@@ -118,7 +118,7 @@ TEST(LawComparison, ThreeNumbersAreFoundOfExactTables) {
 
 // Of 1 % of noise a strength is named, though mu may be anything where n = 0, and n where mu = 0;
 // Coulomb's law is not: there is room for a strength and n above 1.
-TEST(LawComparison, ThreeNumbersLeaveRoomBesideCoulombsLaw) {
+TEST(LawComparisonSlow, ThreeNumbersLeaveRoomBesideCoulombsLaw) {
     const LawRig strong(radius, young, [](double) { return strength; });
     const auto named =
         compared(lens(strong, {.1, .3, 1}, true, .01), {"shear-strength", "strength-and-power"});
