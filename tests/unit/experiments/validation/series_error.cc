@@ -287,7 +287,7 @@ TEST(SeriesErrorSlow, AlarmsAsOftenAsItClaims) {
                                                      {"factor_and_noise", {.01, 0, 0, 1}},
                                                      {"factor_and_number", {.01, 0, 0, .1, .01}}};
     for (const auto& [name, kind] : kinds)
-        for (const auto& [n_runs, n_values] : {std::pair{2, 13}, {3, 21}, {10, 6}}) {
+        for (const auto& [n_runs, n_values] : {std::pair{2, 13}, {3, 31}, {10, 6}}) {
             const Rates r = rates(n_runs, std::size_t(n_values), kind);
             const std::string which = std::string(name) + '_' + std::to_string(n_runs) + "_runs";
             SCOPED_TRACE(which);

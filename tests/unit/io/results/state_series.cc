@@ -277,6 +277,18 @@ TEST_F(States, KilledAtAnyMomentAllFinishedStatesAreThere) {
     }
 }
 
+// Room for states to come is reserved while a series is written, of which nothing may stay.
+TEST_F(States, NothingStaysReservedOnTheDisk) {
+    {
+        StateSeries out = states("surface");
+        for (int k = 0; k < 5; ++k) out.add(k, surface_of(Surface::Layout::grid, 61, 61, k));
+    }
+    struct stat file {};
+    ASSERT_EQ(::stat(at("surface.ex2").c_str(), &file), 0);
+    constexpr int block = 512, of_file_system = 1 << 16;  // [bytes]
+    EXPECT_LE(file.st_blocks * block, file.st_size + of_file_system);
+}
+
 TEST_F(States, WhatCannotBeWrittenIsRefused) {
     Surface s = surface_of(Surface::Layout::grid, 5, 4);
     s.gap.pop_back();
