@@ -8,8 +8,9 @@
 namespace tricontact::contact {
 
 void FocusedCompliance::focus(std::vector<std::size_t> points) {
+    is_focused_ = !points.empty();
+    if (points == some_) return;
     some_ = std::move(points);
-    if (some_ == gathered_) return;
     const std::size_t n = this->points().size(), m = some_.size();
     const double* const matrix = all_.dense();
     normal_.resize(m * m);
@@ -24,7 +25,6 @@ void FocusedCompliance::focus(std::vector<std::size_t> points) {
     }
     force_.resize(2 * m);
     displacement_.resize(2 * m);
-    gathered_ = some_;
 }
 
 void FocusedCompliance::gather_forces(std::span<const double> traction, std::size_t first) const {

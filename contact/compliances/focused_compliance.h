@@ -14,10 +14,13 @@ class FocusedCompliance final : public Compliance {
     explicit FocusedCompliance(const Compliance& all) : all_(all) {}
 
     void focus(std::vector<std::size_t> points);
-    void focus_on_all() { some_.clear(); }
-    /// To be told when `all` has changed: blocks stay where the points do.
-    void forget() { gathered_.clear(); }
-    bool is_focused() const { return !some_.empty(); }
+    void focus_on_all() { is_focused_ = false; }
+    /// To be told when `all` has changed: blocks stay as long as the points do. Focused on nothing.
+    void forget() {
+        is_focused_ = false;
+        some_.clear();
+    }
+    bool is_focused() const { return is_focused_; }
 
     const ContactPoints& points() const override { return all_.points(); }
     bool is_coupled() const override { return all_.is_coupled(); }
@@ -37,10 +40,10 @@ class FocusedCompliance final : public Compliance {
     void gather_forces(std::span<const double> traction, std::size_t first) const;
 
     const Compliance& all_;
-    std::vector<std::size_t> some_;
-    std::vector<std::size_t> gathered_;  // those of the blocks
-    std::vector<double> normal_;         // lower triangle by columns, displacement over force [m/N]
-    std::vector<double> coupled_;  // normal displacements over forces along x, then y, by columns
+    bool is_focused_ = false;
+    std::vector<std::size_t> some_;  // of the last focus, whose blocks are kept
+    std::vector<double> normal_;     // lower triangle by columns, displacement over force [m/N]
+    std::vector<double> coupled_;    // normal displacements over forces along x, then y, by columns
     mutable std::vector<double> force_, displacement_;
 };
 
