@@ -114,9 +114,9 @@ char* ExodusFields::memory(std::size_t n_bytes) {
     return next.bytes.get();
 }
 
-void ExodusFields::add_zeros(std::string name, std::size_t n) {
-    fields_.push_back({std::move(name), true, is_of_elements_,
-                       n_once(n) * static_cast<std::size_t>(rows_.copies), nullptr});
+void ExodusFields::add_zeros(std::string name, std::size_t n_bytes, bool is_byte) {
+    fields_.push_back({std::move(name), is_byte, is_of_elements_,
+                       n_bytes * static_cast<std::size_t>(rows_.copies), nullptr});
 }
 
 void ExodusFields::add_component(std::string name, const double* values, std::size_t stride,
@@ -124,7 +124,7 @@ void ExodusFields::add_component(std::string name, const double* values, std::si
     const std::size_t given = n * sizeof(float), once = n_once(n) * sizeof(float);
     char* const bytes = memory(once * static_cast<std::size_t>(rows_.copies));
     char* const half = bytes + (once - given);
-    if (!put_singles(values, stride, n, sign, half)) return add_zeros(std::move(name), n);
+    if (!put_singles(values, stride, n, sign, half)) return add_zeros(std::move(name), once, false);
     mirror_rows(half, bytes, static_cast<std::size_t>(rows_.mirrored_columns) * sizeof(float),
                 given);
     if (is_odd) negate_singles(bytes, once - given);
@@ -151,7 +151,7 @@ void ExodusFields::add_vector(std::string_view name,
     for (std::size_t d = 0; d < 3; ++d) {
         const std::span<const double> values = components.at(d);
         if (values.empty()) {
-            add_zeros(name_in_file(name) + ends_of_vector.at(d), n);
+            add_zeros(name_in_file(name) + ends_of_vector.at(d), n_once(n), true);
             continue;
         }
         check_number(name, values.size(), n);

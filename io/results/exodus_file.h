@@ -55,9 +55,9 @@ struct ExodusRows {
 };
 
 /// Fields of a state on such a mesh as the file has them: single precision, numbers of states and
-/// components that are 0 throughout as bytes. A vector is name_x, name_y, name_z, which readers put
-/// together; displacement_m is called elastic_displacement_m, since readers would move the mesh by
-/// what is called displacement.
+/// components that nothing gives, zeros, as bytes. A vector is name_x, name_y, name_z, which
+/// readers put together; displacement_m is called elastic_displacement_m, since readers would move
+/// the mesh by what is called displacement.
 class ExodusFields {
   public:
     struct Field {
@@ -94,7 +94,8 @@ class ExodusFields {
     };
     void add_component(std::string name, const double* values, std::size_t stride, std::size_t n,
                        double sign, bool is_odd = false);
-    void add_zeros(std::string name, std::size_t n);
+    /// `n_bytes`: of one copy.
+    void add_zeros(std::string name, std::size_t n_bytes, bool is_byte);
     /// What is in memory(): one copy is there.
     void add_copies(std::string name, bool is_byte, std::size_t once);
     /// Of what is added next.
