@@ -173,13 +173,19 @@ double shear_power(const Tensor& gradient, const Moduli& moduli) {
 // State of one element.
 class ElementState {
   public:
-    ElementState(const ElementValues& volume, const Moduli& moduli, const std::array<double, 81>& u)
+    /// `pressure`: see BodyState; null: that of the displacements.
+    ElementState(const ElementValues& volume, const Moduli& moduli, const std::array<double, 81>& u,
+                 const std::array<double, 4>* pressure)
         : moduli_(moduli), u_(u), dilatation_(volume) {
+        for (const double weight : volume.weights) volume_ += weight;
         for (int m = 0; m < 4; ++m)
-            for (int r = 0; r < 81; ++r) amplitude_[m] += dilatation_.rows()[m][r] * u[r];
+            if (pressure)  // its functions are orthogonal, of squares 1 and 1/3 in the mean
+                amplitude_[m] =
+                    std::sqrt(volume_ / (m == 0 ? 1 : 3)) * (*pressure)[m] / moduli.bulk;
+            else
+                for (int r = 0; r < 81; ++r) amplitude_[m] += dilatation_.rows()[m][r] * u[r];
         for (const double a : amplitude_) energy_ += moduli.bulk * a * a / 2;
         for (std::size_t q = 0; q < volume.weights.size(); ++q) {
-            volume_ += volume.weights[q];
             energy_ += volume.weights[q] *
                        shear_power(displacement_gradient(volume.gradients[q], u.data()), moduli) /
                        2;
@@ -290,8 +296,9 @@ contact::Interior Discretisation::undeformed() const {
     return interior;
 }
 
-contact::Interior Discretisation::interior(std::span<const double> displacement,
+contact::Interior Discretisation::interior(const BodyState& state,
                                            std::span<const double> force) const {
+    const std::vector<double>& displacement = state.displacement;
     NodalDisplacement nodal(space.nodes.size(), {0, 0, 0});
     for (int u = 0; u < unknowns.n; ++u)
         nodal[unknowns.node_of_unknown[u]][unknowns.direction_of_unknown[u]] = displacement[u];
@@ -309,11 +316,12 @@ contact::Interior Discretisation::interior(std::span<const double> displacement,
         volume.reinit(c);
         barlow.reinit(c);
         const auto u = element_displacement(space.cells[c], nodal);
-        const ElementState state(volume, moduli[interior.region[c]], u);
-        interior.strain_energy += state.energy();
-        interior.energy_density.push_back(state.energy() / state.volume());
+        const ElementState element(volume, moduli[interior.region[c]], u,
+                                   state.pressure.empty() ? nullptr : &state.pressure[c]);
+        interior.strain_energy += element.energy();
+        interior.energy_density.push_back(element.energy() / element.volume());
         for (int g = 0; g < n_gauss; ++g) {
-            const Stress s = state.stress_at(barlow.points[g], barlow.gradients[g]);
+            const Stress s = element.stress_at(barlow.points[g], barlow.gradients[g]);
             for (int i = 0; i < 27; ++i)
                 for (int k = 0; k < 6; ++k)
                     interior.stress[interior.hexes[c][i]][k] += weights[i][g] * s[k];
@@ -322,7 +330,7 @@ contact::Interior Discretisation::interior(std::span<const double> displacement,
     average(interior.stress, interior.hexes);
     for (int u = 0; u < unknowns.n; ++u)
         interior.applied[unknowns.direction_of_unknown[u]] += force[u];
-    interior.base_reaction = held_forces(nodal);
+    interior.base_reaction = state.pressure.empty() ? held_forces(nodal) : state.held_forces;
     // The node that is held has its part of that pressure already.
     const double even = std::accumulate(even_load.begin(), even_load.end(), 0.);
     (*interior.base_reaction)[2] -= even * interior.applied[2];

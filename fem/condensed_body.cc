@@ -8,13 +8,6 @@ namespace tricontact::fem {
 
 using contact::TangentialField;
 
-namespace {
-
-/// Of a solution without a factor: below the 1e-8 that an audit of the inside allows.
-constexpr double most_unbalanced = 4e-9;
-
-}  // namespace
-
 CondensedBody::CondensedBody(std::shared_ptr<const LayerProblem> problem,
                              std::array<std::vector<double>, 3> missing_reaction,
                              double round_radius, std::optional<PressureTransfer> transfer)
@@ -79,12 +72,7 @@ contact::Interior CondensedBody::interior(const contact::ContactPoints& points,
             n == n_nodes ? points.area : discretisation.surface.points.area;
         for (std::size_t k = 0; k < n_nodes; ++k) load(k, k % n, area[k] * modelled_part(points));
     }
-    contact::Interior inside = discretisation.interior(whole_->displacement(force), force);
-    // Each state for itself: fields do not depend on which were asked for before.
-    if (whole_->is_without_factor() &&
-        inside.missing_force() > most_unbalanced * inside.applied_force())
-        return discretisation.interior(whole_->by_factor(force), force);
-    return inside;
+    return discretisation.interior(whole_->state(force), force);
 }
 
 }  // namespace tricontact::fem

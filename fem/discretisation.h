@@ -38,6 +38,16 @@ struct AssembledStiffness {
     std::array<std::vector<double>, 3> held_rows;
 };
 
+/// Displacements of the free unknowns [m] and, where the mixed form was solved, what it has beside:
+/// without them the rounding of displacements is multiplied by K.
+struct BodyState {
+    std::vector<double> displacement;
+    /// K times the projected volumetric strain [Pa] of each cell, a brick: coefficients of
+    /// {1, xi, eta, zeta}, which go from -1 to 1 along x, y, z. Or none.
+    std::vector<std::array<double, 4>> pressure = {};
+    std::array<double, 3> held_forces{};  ///< see Discretisation::held_forces; with `pressure` [N]
+};
+
 /// Q2 displacements with a discontinuous linear pressure eliminated per element: the volumetric
 /// strain is projected onto {1, x, y, z} of each element, so that K may be huge (Brezzi and Fortin
 /// 1991, Q2/P1; no locking, no checkerboard). The stiffness is symmetric positive definite.
@@ -64,8 +74,7 @@ struct Discretisation {
     /// Points on the interface of two regions appear once for each. Stresses come from the
     /// 2 x 2 x 2 Gauss points, where those of Q2 elements are most accurate (Barlow 1976), linearly
     /// extrapolated to the nodes and averaged over the elements of a region.
-    contact::Interior interior(std::span<const double> displacement,
-                               std::span<const double> force) const;
+    contact::Interior interior(const BodyState& state, std::span<const double> force) const;
 
     Q2Space space;
     std::array<Moduli, meshes::n_regions> moduli{};

@@ -1,5 +1,7 @@
 #include "fem/whole_body.h"
 
+#include <utility>
+
 #include "contact/base/error.h"
 #include "fem/memory.h"
 #include "fem/one_blas_thread.h"
@@ -12,7 +14,7 @@ WholeBody::WholeBody(const LayerProblem& problem, const InsideSolverOf& without_
     if (!without_factor_) parts_ = parts_of(discretisation, Elimination::cheapest);
 }
 
-std::vector<double> WholeBody::displacement(std::span<const double> applied) {
+BodyState WholeBody::state(std::span<const double> applied) {
     if (!without_factor_) return by_factor(applied);
     try {
         return without_factor_(applied);
@@ -33,7 +35,7 @@ std::vector<double> WholeBody::balanced(std::span<const double> applied) const {
     return forces;
 }
 
-std::vector<double> WholeBody::by_factor(std::span<const double> applied) {
+BodyState WholeBody::by_factor(std::span<const double> applied) {
     const FreedMemoryStays stays;
     const OneBlasThread one_thread;
     if (parts_.empty()) parts_ = parts_of(discretisation, Elimination::cheapest);
@@ -45,7 +47,7 @@ std::vector<double> WholeBody::by_factor(std::span<const double> applied) {
         if (!was_asked_) part.condensation.forget_factor();
     }
     was_asked_ = true;
-    return sum;
+    return {std::move(sum)};
 }
 
 }  // namespace tricontact::fem

@@ -9,9 +9,9 @@
 
 namespace tricontact::fem {
 
-/// Displacements [m] of all free unknowns of a body under the forces [N] on them, without a factor.
-/// May throw contact::NotConverged.
-using InsideSolver = std::function<std::vector<double>(std::span<const double> forces)>;
+/// State of a body under the forces [N] on all free unknowns, without a factor. May throw
+/// contact::NotConverged.
+using InsideSolver = std::function<BodyState(std::span<const double> forces)>;
 /// Makes one for a body; empty where the body does not suit.
 using InsideSolverOf = std::function<InsideSolver(const LayerProblem&, const Discretisation&)>;
 
@@ -22,18 +22,15 @@ class WholeBody {
     /// With `without_factor`, elements of bricks. Throws contact::InputError, std::bad_alloc.
     explicit WholeBody(const LayerProblem& problem, const InsideSolverOf& without_factor = {});
 
-    /// Displacements [m] under the forces [N] on all unknowns. Most bodies are asked once: factors
-    /// are kept from the second time on. Until then a factor takes as long as a condensation by one
-    /// thread; throws contact::NotConverged, std::bad_alloc.
-    std::vector<double> displacement(std::span<const double> applied);
-
-    /// The same by a factor in any case.
-    std::vector<double> by_factor(std::span<const double> applied);
-    bool is_without_factor() const { return static_cast<bool>(without_factor_); }
+    /// State under the forces [N] on all unknowns. Most bodies are asked once: factors are kept
+    /// from the second time on. Until then a factor takes as long as a condensation by one thread;
+    /// throws contact::NotConverged, std::bad_alloc.
+    BodyState state(std::span<const double> applied);
 
     const Discretisation discretisation;
 
   private:
+    BodyState by_factor(std::span<const double> applied);
     std::vector<double> balanced(std::span<const double> applied) const;
 
     InsideSolver without_factor_;

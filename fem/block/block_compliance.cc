@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "fem/block/inside_solver.h"
 #include "fem/dense_compliance.h"
 #include "fem/discretisation.h"
 
@@ -106,12 +107,12 @@ std::unique_ptr<const contact::Interior> BlockCompliance::interior(std::span<con
     const SurfaceField traction{t, {p.begin(), p.end()}};
     solve(traction, state_);
     const Discretisation discretisation(*problem_);
-    std::vector<double> displacement, force;
-    for (const std::size_t at : places_in_block(discretisation, grid())) {
-        displacement.push_back(state_[at]);
-        force.push_back(forces_[at]);
-    }
-    return std::make_unique<contact::Interior>(discretisation.interior(displacement, force));
+    const std::vector<std::size_t> places = places_in_block(discretisation, grid());
+    std::vector<double> force;
+    for (const std::size_t at : places) force.push_back(forces_[at]);
+    return std::make_unique<contact::Interior>(discretisation.interior(
+        state_in_block(solver_.mixed(), state_, places, elements_in_block(discretisation, grid())),
+        force));
 }
 
 }  // namespace tricontact::fem

@@ -53,5 +53,7 @@ std::optional<BlockGrid> block_grid(const LayerProblem& problem, std::string& wh
 struct Discretisation;
 /// Where each free unknown of the body stands among u_x of all nodes of the block, u_y, u_z.
 std::vector<std::size_t> places_in_block(const Discretisation& body, const BlockGrid& grid);
+/// The block's element that each cell of the body is.
+std::vector<std::size_t> elements_in_block(const Discretisation& body, const BlockGrid& grid);
 
 }  // namespace tricontact::fem

@@ -8,11 +8,21 @@ namespace tricontact::fem {
 
 namespace {
 
-/// Of the forces. Stresses are K times dilatations of which K/G = 1e6 leaves six digits fewer: they
-/// have a factor's digits, those of files in single precision.
-constexpr double inside_tolerance = 1e-13;
+constexpr double inside_tolerance = 1e-11;  // of the forces
 
 }  // namespace
+
+BodyState state_in_block(const MixedOperator& mixed, std::span<const double> x,
+                         std::span<const std::size_t> places,
+                         std::span<const std::size_t> elements) {
+    BodyState state;
+    state.displacement.reserve(places.size());
+    for (const std::size_t at : places) state.displacement.push_back(x[at]);
+    state.pressure.reserve(elements.size());
+    for (const std::size_t e : elements) state.pressure.push_back(mixed.pressure(x, e));
+    state.held_forces = mixed.held_forces(x);
+    return state;
+}
 
 InsideSolver block_inside_solver(const LayerProblem& problem, const Discretisation& body) {
     if (problem.needs_symmetry() || problem.line_length > 0) return {};
@@ -20,13 +30,12 @@ InsideSolver block_inside_solver(const LayerProblem& problem, const Discretisati
     const auto grid = block_grid(problem, why);
     if (!grid) return {};
     const auto solver = std::make_shared<BlockSolver>(*grid, 1);
-    return [solver, places = places_in_block(body, *grid)](std::span<const double> forces) {
-        std::vector<double> on_block(solver->mixed().size()), moved, displacement;
+    return [solver, places = places_in_block(body, *grid),
+            elements = elements_in_block(body, *grid)](std::span<const double> forces) {
+        std::vector<double> on_block(solver->mixed().size()), x;
         for (std::size_t u = 0; u < places.size(); ++u) on_block[places[u]] = forces[u];
-        solver->solve(on_block, inside_tolerance, moved);
-        displacement.reserve(places.size());
-        for (const std::size_t at : places) displacement.push_back(moved[at]);
-        return displacement;
+        solver->solve(on_block, inside_tolerance, x);
+        return state_in_block(solver->mixed(), x, places, elements);
     };
 }
 

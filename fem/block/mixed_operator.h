@@ -30,6 +30,12 @@ class MixedOperator {
     /// equations, element by element: to = (A u + B' q, q), q = (B u - x_p) / scale.
     void apply_eliminated(std::span<const double> x, std::span<const double> scale,
                           std::span<double> to) const;
+    /// Pressures of the elements among the unknowns x [Pa].
+    std::array<double, 4> pressure(std::span<const double> x, std::size_t element) const {
+        std::array<double, 4> p{};
+        for (std::size_t m = 0; m < 4; ++m) p[m] = x[3 * n_nodes_ + m * n_elements_ + element];
+        return p;
+    }
     /// Forces [N] of what holds the components that are held, by direction, for these x.
     std::array<double, 3> held_forces(std::span<const double> x) const;
     /// Zeros where components are held.

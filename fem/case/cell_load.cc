@@ -141,7 +141,8 @@ SurfaceFields cell_fields(const LayerProblem& problem, const CellGrid& cells) {
             seen.push_back(seen_at(faces, places.back()));
         }
     const auto under = [&](std::size_t direction) {
-        const auto moved = body.displacement(cell_forces(unknowns, faces, cells.size, direction));
+        const auto moved =
+            body.state(cell_forces(unknowns, faces, cells.size, direction)).displacement;
         std::vector<Point3> field;
         for (std::size_t k = 0; k < seen.size(); ++k) {
             Point3 u{};

@@ -28,7 +28,7 @@ class ConstantState {
         const auto heights = heights_of_unknowns(problem, layer);
         for (std::size_t k = 0; k < u.size(); ++k)
             u[k] = slope[layer.unknowns.direction_of_unknown[k]] * (heights[k] - bottom);
-        state = layer.interior(u, std::vector<double>(u.size(), 0.));
+        state = layer.interior({u}, std::vector<double>(u.size(), 0.));
     }
 
     std::array<double, 6> stress() const {
@@ -97,7 +97,7 @@ struct Pressed {
         for (int u = layer.unknowns.n_interior; u < layer.unknowns.n; ++u)
             force[u] = std::sin(3. * u) - (layer.unknowns.direction_of_unknown[u] == 2);
         displacement = condensation.solve(force);
-        state = layer.interior(displacement, force);
+        state = layer.interior({displacement}, force);
     }
     double work() const {
         return std::inner_product(force.begin(), force.end(), displacement.begin(), 0.) / 2;
