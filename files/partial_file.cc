@@ -1,16 +1,20 @@
 #include "files/partial_file.h"
 
 #include <fcntl.h>
+#include <limits.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace tricontact::files {
 
@@ -108,6 +112,28 @@ void write_all(int descriptor, std::string_view bytes) {
         if (n < 0) fail(errno);
         bytes.remove_prefix(static_cast<std::size_t>(n));
     }
+}
+
+std::uint64_t write_all(int descriptor, std::uint64_t at,
+                        std::span<const std::string_view> pieces) {
+    std::vector<iovec> rest;
+    rest.reserve(pieces.size());
+    for (const std::string_view piece : pieces)
+        if (!piece.empty()) rest.push_back({const_cast<char*>(piece.data()), piece.size()});
+    for (std::size_t i = 0; i < rest.size();) {
+        const std::size_t most = std::min<std::size_t>(rest.size() - i, IOV_MAX);
+        const auto n =
+            ::pwritev(descriptor, &rest[i], static_cast<int>(most), static_cast<off_t>(at));
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) fail(errno);
+        at += static_cast<std::uint64_t>(n);
+        auto written = static_cast<std::size_t>(n);
+        for (; i < rest.size() && written >= rest[i].iov_len; ++i) written -= rest[i].iov_len;
+        if (written == 0) continue;
+        rest[i].iov_base = static_cast<char*>(rest[i].iov_base) + written;
+        rest[i].iov_len -= written;
+    }
+    return at;
 }
 
 // The lock goes with the descriptor, so the file has its final name before it is closed.

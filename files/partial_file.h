@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -7,6 +9,9 @@ namespace tricontact::files {
 
 /// Writes all of the bytes to where the descriptor stands. Throws std::system_error.
 void write_all(int descriptor, std::string_view bytes);
+/// One piece after another from the place `at` of a file on; where they end. Throws
+/// std::system_error.
+std::uint64_t write_all(int descriptor, std::uint64_t at, std::span<const std::string_view> pieces);
 
 /// A file on its way: under a name of its own beside `target`, locked while it is written, moved
 /// onto the target when it is whole, removed when it does not get there. What a killed process

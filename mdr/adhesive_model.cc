@@ -237,12 +237,12 @@ Surface AdhesiveModel::surface() const {
     Surface s = sliding_->model().surface();
     for (auto* field : {&s.normal_line_load, &s.normal_traction, &s.displacement_z})
         std::ranges::fill(*field, 0);
+    const std::vector<double> slopes = slopes_of(even.positions, even.normal);
     for (int k = 0; k < s.n_x; ++k) {
         show_normal(even, k, s);
         const double r = std::abs(s.x(k) - s.offset[0]);
         if (r < even.positions.back())
-            s.normal_traction[k] =
-                back_transform(even.positions, even.normal, abel_weights(even.positions, r));
+            s.normal_traction[k] = back_transform(slopes, abel_weights(even.positions, r));
     }
     return s;
 }

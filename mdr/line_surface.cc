@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 namespace tricontact::mdr {
@@ -71,14 +72,21 @@ const std::vector<double>& KeptAbelWeights::at(std::span<const double> positions
     return of_radius_.emplace(r, abel_weights(positions, r)).first->second;
 }
 
-double back_transform(std::span<const double> positions, std::span<const double> line_load,
-                      std::span<const double> weights) {
-    if (line_load.size() != positions.size() || weights.size() + 1 != positions.size())
-        throw std::domain_error("back_transform: one load per position, one weight per piece");
-    double sum = 0;
-    for (std::size_t k = 0; k < weights.size(); ++k)
-        sum += weights[k] * (line_load[k + 1] - line_load[k]) / (positions[k + 1] - positions[k]);
-    return -sum / std::numbers::pi;
+std::vector<double> slopes_of(std::span<const double> positions,
+                              std::span<const double> line_load) {
+    if (line_load.size() != positions.size())
+        throw std::domain_error("back_transform: one load per position");
+    std::vector<double> slopes;
+    for (std::size_t k = 0; k + 1 < positions.size(); ++k)
+        slopes.push_back((line_load[k + 1] - line_load[k]) / (positions[k + 1] - positions[k]));
+    return slopes;
+}
+
+double back_transform(std::span<const double> slopes, std::span<const double> weights) {
+    if (weights.size() != slopes.size())
+        throw std::domain_error("back_transform: one weight per piece");
+    return -std::inner_product(weights.begin(), weights.end(), slopes.begin(), 0.) /
+           std::numbers::pi;
 }
 
 double PointRow::interpolate(std::span<const double> values, double x) const {
@@ -143,14 +151,16 @@ contact::Surface make_line_surface(const PointRow& row, int n, double position,
           &s.dissipation, &s.normal_line_load, &s.tangential_line_load})
         field->assign(s.size(), 0);
     s.contact_state.assign(s.size(), contact::ContactState::open);
+    const std::vector<double> normal = slopes_of(loads.positions, loads.normal),
+                              tangential = slopes_of(loads.positions, loads.tangential);
     std::vector<double> own;
     for (int k = 0; k < s.n_x; ++k) {
         const double r = std::abs(s.x(k) - position);
         if (r < loads.positions.back()) {
             if (!kept) own = abel_weights(loads.positions, r);
             const std::vector<double>& weights = kept ? kept->at(loads.positions, r) : own;
-            s.normal_traction[k] = back_transform(loads.positions, loads.normal, weights);
-            s.tangential_traction_x[k] = back_transform(loads.positions, loads.tangential, weights);
+            s.normal_traction[k] = back_transform(normal, weights);
+            s.tangential_traction_x[k] = back_transform(tangential, weights);
         }
         s.friction_bound[k] = friction.bound(s.normal_traction[k]);
         show(k * stride, k, s);

@@ -15,10 +15,12 @@ namespace tricontact::mdr {
 /// for an even q [N/m] given at the increasing `positions` [m], the first of them 0, linear in
 /// between, zero beyond the last. Each linear piece is integrated exactly (acosh); in the first
 /// one q is even, hence taken as a parabola without slope at 0, which keeps p(0) finite.
-/// Throws std::domain_error for fewer than two positions or unequal lengths.
-double back_transform(std::span<const double> positions, std::span<const double> line_load,
-                      std::span<const double> weights);
-/// The weights at the radius r for the slopes of the pieces [-], one fewer than positions.
+/// `slopes`: of the pieces [N/m^2]. Throws std::domain_error for unequal lengths.
+double back_transform(std::span<const double> slopes, std::span<const double> weights);
+/// Of the pieces of a line load [N/m]. Throws std::domain_error for unequal lengths.
+std::vector<double> slopes_of(std::span<const double> positions, std::span<const double> line_load);
+/// The weights at the radius r for the slopes of the pieces [-], one fewer than positions. Throws
+/// std::domain_error for fewer than two positions.
 std::vector<double> abel_weights(std::span<const double> positions, double r);
 
 /// The same, kept as long as the positions stay: a contact that rolls to and fro comes back to the

@@ -194,8 +194,9 @@ std::vector<double> WearingBed::pressures(const Pressed& pressed) const {
         positions.push_back(radius_[n_inner_ + j]);
         load.push_back(pressed.line_load[j]);
     }
+    const std::vector<double> slopes = slopes_of(positions, load);
     for (std::size_t k = 0; k < n_inner_; ++k)
-        all[k] = back_transform(positions, load, abel_weights(positions, radius_[k]));
+        all[k] = back_transform(slopes, abel_weights(positions, radius_[k]));
     return all;
 }
 

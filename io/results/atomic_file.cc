@@ -24,11 +24,11 @@ enum class Kept { no, unsynced, synced };
 
 // Writes the file; `blamed` and `what` begin the message of any failure: "<blamed>: <what> (Disk
 // full)".
-void write_or_refuse(const std::string& path, std::string_view bytes, const std::string& blamed,
-                     const char* what, Kept kept) {
+void write_or_refuse(const std::string& path, std::span<const std::string_view> pieces,
+                     const std::string& blamed, const char* what, Kept kept) {
     try {
         files::PartialFile file(path);
-        file.write(bytes);
+        files::write_all(file.descriptor(), 0, pieces);
         if (kept != Kept::no) file.move_to_target(kept == Kept::synced);
     } catch (const std::system_error& error) {
         refuse_output(blamed, what, error.code().value());
@@ -43,11 +43,11 @@ const char* kind_of(fs::file_type type) {
                             : "is a device, not a regular file";
 }
 
-void write_checked(const std::string& path, std::string_view bytes, Kept kept) {
+void write_checked(const std::string& path, std::span<const std::string_view> pieces, Kept kept) {
     if (fs::path(path).filename().empty())
         fail(path, "", "names no file to write", "add a file name");
     check_replaceable(path);
-    write_or_refuse(path, bytes, path, "cannot be written", kept);
+    write_or_refuse(path, pieces, path, "cannot be written", kept);
 }
 
 // The drawing goes last: a removal that is interrupted is made up for.
@@ -72,11 +72,11 @@ std::string first_bytes(const std::string& path, std::size_t n) {
 }
 
 void write_file(const std::string& path, std::string_view bytes) {
-    write_checked(path, bytes, Kept::synced);
+    write_checked(path, {&bytes, 1}, Kept::synced);
 }
 
-void write_unsynced(const std::string& path, std::string_view bytes) {
-    write_checked(path, bytes, Kept::unsynced);
+void write_unsynced(const std::string& path, std::span<const std::string_view> pieces) {
+    write_checked(path, pieces, Kept::unsynced);
 }
 
 void remove_file(const std::string& path) {
@@ -101,7 +101,8 @@ void make_output_folder(const std::string& path) {
     if (error) refuse_output(path, "the output folder cannot be made", error.value());
     files::remove_left_partial_files(path);
     // Proves the right to write, and leaves nothing behind.
-    write_or_refuse((fs::path(path) / "probe").string(), "probe", path,
+    constexpr std::string_view probe = "probe";
+    write_or_refuse((fs::path(path) / "probe").string(), {&probe, 1}, path,
                     "the output folder cannot be written to", Kept::no);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,9 +12,10 @@ namespace tricontact::io {
 /// what check_replaceable (output_target.h) does. Throws contact::InputError naming the path, the
 /// system's reason and a remedy.
 void write_file(const std::string& path, std::string_view bytes);
-/// The same but for the fsync, for files of a series: whole whenever the process ends, but on the
-/// disk after `sync_files` of their folder only. Both throw contact::InputError.
-void write_unsynced(const std::string& path, std::string_view bytes);
+/// The same of pieces one after another but for the fsync, for files of a series: whole whenever
+/// the process ends, but on the disk after `sync_files` of their folder only. Both throw
+/// contact::InputError.
+void write_unsynced(const std::string& path, std::span<const std::string_view> pieces);
 void sync_files(const std::string& folder);
 
 /// Removes a file that is to be written anew. Refuses what check_replaceable does; throws

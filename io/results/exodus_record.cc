@@ -107,11 +107,6 @@ std::string ExodusRecord::joined() const {
     return record;
 }
 
-std::string ExodusRecord::bytes(double time, const ExodusFields& state) {
-    pieces(time, state);
-    return joined();
-}
-
 std::string ExodusRecord::bytes(const ExodusRecord& earlier, std::string_view record) {
     std::vector<std::pair<std::string, double>> numbers;
     if (!earlier.names_.numbers.empty()) {

@@ -25,7 +25,6 @@ class ExodusRecord {
     const std::vector<std::string_view>& pieces(double time, const ExodusFields& state);
     /// Whether a piece is zeros.
     static bool is_zeros(std::string_view piece);
-    std::string bytes(double time, const ExodusFields& state);
     /// A record of an earlier file of fewer names, or of bytes that have become numbers.
     std::string bytes(const ExodusRecord& earlier, std::string_view record);
 

@@ -158,15 +158,15 @@ void NetcdfLayout::place() {
     record_size = at - records_begin;
 }
 
-std::string NetcdfLayout::bytes(std::uint32_t n_records) const {
-    std::string out = header(n_records);
-    out.reserve(records_begin + n_records * record_size);  // what follows is appended
+std::vector<std::string_view> NetcdfLayout::pieces(std::string_view header) const {
+    static constexpr std::string_view padding("\0\0\0", 3);
+    std::vector<std::string_view> pieces{header};
     for (const NetcdfVariable& variable : variables)
         if (!is_of_records(variable)) {
-            out += variable.values;
-            out.resize(variable.begin + variable.size, '\0');
+            pieces.emplace_back(variable.values);
+            pieces.push_back(padding.substr(0, variable.size - variable.values.size()));
         }
-    return out;
+    return pieces;
 }
 
 std::string NetcdfLayout::header(std::uint32_t n_records) const {

@@ -93,11 +93,9 @@ struct NetcdfLayout {
     std::size_t length(std::string_view name) const;
     /// The places of all variables.
     void place();
-    /// Header and variables, placed before; what comes next are the records.
-    std::string bytes(std::uint32_t n_records) const;
-
-  private:
     std::string header(std::uint32_t n_records) const;
+    /// Header and variables, placed before, one after another; what comes next are the records.
+    std::vector<std::string_view> pieces(std::string_view header) const;
 };
 
 constexpr std::uint64_t netcdf_number_of_records_at = 4;  ///< [bytes], in the file

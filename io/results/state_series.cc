@@ -1,14 +1,15 @@
 #include "io/results/state_series.h"
 
 #include <fcntl.h>
-#include <limits.h>
-#include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <deque>
 #include <filesystem>
+#include <system_error>
 
+#include "files/partial_file.h"
 #include "io/results/atomic_file.h"
 #include "io/results/former_series.h"
 
@@ -70,24 +71,11 @@ class OpenFile {
     }
     /// One after another; where they end.
     std::uint64_t write_all(std::uint64_t at, std::span<const std::string_view> pieces) const {
-        std::vector<iovec> rest;
-        rest.reserve(pieces.size());
-        for (const std::string_view piece : pieces)
-            rest.push_back({const_cast<char*>(piece.data()), piece.size()});
-        for (std::size_t i = 0; i < rest.size();) {
-            const std::size_t most = std::min<std::size_t>(rest.size() - i, IOV_MAX);
-            const auto n =
-                ::pwritev(descriptor_, &rest[i], static_cast<int>(most), static_cast<off_t>(at));
-            if (n < 0 && errno == EINTR) continue;
-            if (n < 0) refuse();
-            at += static_cast<std::uint64_t>(n);
-            auto written = static_cast<std::size_t>(n);
-            for (; i < rest.size() && written >= rest[i].iov_len; ++i) written -= rest[i].iov_len;
-            if (written == 0) continue;
-            rest[i].iov_base = static_cast<char*>(rest[i].iov_base) + written;
-            rest[i].iov_len -= written;
+        try {
+            return files::write_all(descriptor_, at, pieces);
+        } catch (const std::system_error& error) {
+            refuse_output(path_, "cannot be written", error.code().value());
         }
-        return at;
     }
     [[noreturn]] void refuse() const {
         refuse_output(path_, "cannot be written", errno);
@@ -166,7 +154,11 @@ void StateSeries::begin_file(double time, const ExodusFields& fields) {
     std::error_code ignored;
     for (int number = n_files_ + 1; std::filesystem::exists(path(number), ignored); ++number)
         remove_file(path(number));
-    write_unsynced(path(n_files_), layout_.bytes(1) + record_.bytes(time, fields));
+    const std::string header = layout_.header(1);
+    std::vector<std::string_view> pieces = layout_.pieces(header);
+    const auto& of_state = record_.pieces(time, fields);
+    pieces.insert(pieces.end(), of_state.begin(), of_state.end());
+    write_unsynced(path(n_files_), pieces);
 }
 
 // Of rolling, some fields begin with its first period.
@@ -175,9 +167,12 @@ void StateSeries::take_more_names(const ExodusFields& fields) {
     const ExodusRecord earlier = std::move(record_);
     lay_out();
     NetcdfReader old(path(n_files_));
-    std::string bytes = layout_.bytes(static_cast<std::uint32_t>(times_.size()));
-    for (std::size_t i = 0; i < times_.size(); ++i) bytes += record_.bytes(earlier, old.record(i));
-    write_unsynced(path(n_files_), bytes);
+    const std::string header = layout_.header(static_cast<std::uint32_t>(times_.size()));
+    std::vector<std::string_view> pieces = layout_.pieces(header);
+    std::deque<std::string> records;
+    for (std::size_t i = 0; i < times_.size(); ++i)
+        pieces.emplace_back(records.emplace_back(record_.bytes(earlier, old.record(i))));
+    write_unsynced(path(n_files_), pieces);
 }
 
 // After a later time than all others none of those moves, once there are two.

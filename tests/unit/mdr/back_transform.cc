@@ -14,7 +14,7 @@ namespace {
 using std::numbers::pi;
 
 double back_transform(const std::vector<double>& x, const std::vector<double>& q, double r) {
-    return mdr::back_transform(x, q, mdr::abel_weights(x, r));
+    return mdr::back_transform(mdr::slopes_of(x, q), mdr::abel_weights(x, r));
 }
 
 // Polygon of q = 1 - x^2/a^2 on n pieces.
