@@ -44,7 +44,7 @@ std::vector<Brick> bricks_of(const meshes::HexMesh& mesh) {
 constexpr std::array<int, 27> order_of_numbers{0,  1,  3,  2,  4,  5,  7,  6,  11,
                                                9,  8,  10, 15, 13, 12, 14, 16, 17,
                                                19, 18, 20, 21, 22, 23, 24, 25, 26};
-constexpr int first_edge = 8, first_face = 20, centre = 26;
+constexpr int first_edge = 8, first_face = 20;
 /// Corners at the ends of the edges.
 constexpr std::array<std::array<int, 2>, 12> edge_ends{{{0, 1},
                                                         {1, 2},
@@ -101,7 +101,7 @@ class Numbers {
         bool is_new;
     };
     Met of(const std::array<int, 8>& hex, const std::array<std::size_t, 6>& faces, int node) {
-        if (node == centre) return {n_++, true};
+        if (node == centre_of_cell) return {n_++, true};
         if (node >= first_face) return met(face_[faces[node - first_face]]);
         if (node < first_edge) return met(corner_[hex[node]]);
         const auto [a, b] = edge_ends[node - first_edge];

@@ -23,7 +23,7 @@ using Point = std::array<double, 3>;
 // a factor's own rounding makes of the compliance.
 constexpr double mirror_rounding = 1e-12;
 
-constexpr int centre_of_cell = 26, centre_of_face = 8;  // no other cell or face has that node
+constexpr int centre_of_face = 8;  // no other face has that node
 
 // The plane x = middle, which is the only one that can mirror the nodes.
 struct Plane {

@@ -13,6 +13,7 @@ class Q2Space;
 
 /// Triquadratic nodes of a hexahedron in VTK's order, by position 0, 1, 2 along each axis.
 extern const std::array<std::array<int, 3>, 27> node_positions;
+inline constexpr int centre_of_cell = 26;  ///< among them; no other hexahedron has that node
 
 /// Numbers within a hexahedron of the nine nodes of its lower or upper face across `axis`: corners
 /// counter-clockwise seen from outside, edges, centre.

@@ -75,7 +75,7 @@ const std::vector<double>& KeptAbelWeights::at(std::span<const double> positions
 std::vector<double> slopes_of(std::span<const double> positions,
                               std::span<const double> line_load) {
     if (line_load.size() != positions.size())
-        throw std::domain_error("back_transform: one load per position");
+        throw std::domain_error("slopes_of: one load per position");
     std::vector<double> slopes;
     for (std::size_t k = 0; k + 1 < positions.size(); ++k)
         slopes.push_back((line_load[k + 1] - line_load[k]) / (positions[k + 1] - positions[k]));

@@ -147,12 +147,11 @@ std::vector<std::size_t> places_in_block(const Discretisation& body, const Block
 }
 
 std::vector<std::size_t> elements_in_block(const Discretisation& body, const BlockGrid& grid) {
-    constexpr int centre = 26;  // of node_positions
     const auto& [x, y, z] = grid.axes;
     std::vector<std::size_t> elements;
     elements.reserve(body.space.cells.size());
     for (const auto& cell : body.space.cells) {
-        const std::size_t node = grid.nearest_node(body.space.nodes[cell[centre]]),
+        const std::size_t node = grid.nearest_node(body.space.nodes[cell[centre_of_cell]]),
                           row = node / x.n_nodes();
         const std::size_t i = node % x.n_nodes() / 2, j = row % y.n_nodes() / 2,
                           k = row / y.n_nodes() / 2;

@@ -20,7 +20,7 @@ class OpenFile {
   public:
     explicit OpenFile(const std::string& path)
         : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW)) {
-        if (descriptor_ < 0) refuse();
+        if (descriptor_ < 0) refuse(errno);
     }
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
@@ -74,11 +74,11 @@ class OpenFile {
         try {
             return files::write_all(descriptor_, at, pieces);
         } catch (const std::system_error& error) {
-            refuse_output(path_, "cannot be written", error.code().value());
+            refuse(error.code().value());
         }
     }
-    [[noreturn]] void refuse() const {
-        refuse_output(path_, "cannot be written", errno);
+    [[noreturn]] void refuse(int error) const {
+        refuse_output(path_, "cannot be written", error);
     }
 
     std::string path_;
